@@ -2,7 +2,7 @@
 
 import { Card } from "./panel/card";
 import { modesOf, type Mode } from "./scene/classes";
-import { button, Choice, element } from "../panel/dom";
+import { button, Choice, element, setText } from "../panel/dom";
 import { counted, grouped, percentage, significant } from "../data/format";
 import { decibels } from "./data/decibels";
 import { Legend } from "./panel/legend";
@@ -29,6 +29,8 @@ export class View {
   private readonly canvas = element("canvas", { class: "v3-canvas", tabindex: 0, role: "application" });
   private readonly frame = element("div", { class: "v3-stage" });
   private readonly names = new Names();
+  /** Why there is no picture. */
+  private readonly absent = element("p", { class: "v3-absent", role: "status" });
   private readonly tip = element("div", { class: "v3-tip", hidden: true });
   private readonly answer = element("p", { class: "v3-answer", role: "status" });
   private readonly changes = element("p", { class: "v3-note" });
@@ -47,7 +49,7 @@ export class View {
     this.canvas.setAttribute("aria-label", text.picture.description);
     this.legend = new Legend(this.model);
     this.names.set(store.fixtures);
-    this.frame.append(this.canvas, this.names.root, this.tip);
+    this.frame.append(this.canvas, this.absent, this.names.root, this.tip);
     this.dimension = new Choice(
       "v3-dimension",
       text.tools.view,
@@ -140,6 +142,8 @@ export class View {
       );
       this.showFigures();
     };
+    this.stage.onPicture = () => this.showPicture();
+    this.showPicture();
     this.model.onChange(() => this.update());
     onThemeChange(() => this.picture.recolour());
     new ResizeObserver(() => this.stage.resize(this.frame.clientWidth, this.frame.clientHeight)).observe(this.frame);
@@ -148,6 +152,13 @@ export class View {
     addEventListener("hashchange", () => this.restore(location.hash));
     this.restore(location.hash);
     requestAnimationFrame(() => this.stage.measure(5, 300));
+  }
+
+  /** Without a picture, the lists and the requirements beside it work all the same. */
+  private showPicture(): void {
+    const { hasPicture } = this.stage;
+    setText(this.absent, hasPicture ? "" : text.picture.absent);
+    this.names.root.hidden = !hasPicture;
   }
 
   /** Shows the view of a link; without a valid link, the original plan. */

@@ -67,6 +67,7 @@ void main() {
 
 export class Links {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  shown: readonly Link[] = [];
 
   constructor() {
     const material = new ShaderMaterial({
@@ -89,6 +90,7 @@ export class Links {
   }
 
   set(links: Link[]): void {
+    this.shown = links;
     this.mesh.geometry.dispose();
     this.mesh.geometry = Links.geometry(links);
     this.mesh.visible = links.length > 0;

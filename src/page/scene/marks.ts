@@ -192,9 +192,10 @@ export interface MarkStyle {
 
 export class Marks {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private readonly places: Float32Array;
-  private readonly facings: Float32Array;
-  private readonly looks: Uint8Array;
+  /** Four numbers per mark, as in the textures. */
+  readonly places: Float32Array;
+  readonly facings: Float32Array;
+  readonly looks: Uint8Array;
   private isChanged = false;
   private readonly textures: { centres: DataTexture; facings: DataTexture; looks: DataTexture; idents: DataTexture };
 

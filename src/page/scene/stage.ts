@@ -18,6 +18,7 @@ import { MapControls } from "three/examples/jsm/controls/MapControls.js";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import { Fixtures } from "./fixtures";
+import { FlatPlan } from "./flat";
 import { Links } from "./links";
 import type { Marks } from "./marks";
 import { colourOf } from "./palette";
@@ -60,8 +61,12 @@ export class Stage {
   /** Median time of the last measured frames, ms; null before the first measurement. */
   frameTime: number | null = null;
   onDrawn: () => void = () => {};
+  /** The browser has taken the picture away, or given it back. */
+  onPicture: () => void = () => {};
 
-  private readonly renderer: WebGLRenderer;
+  /** Null without WebGL. */
+  private readonly renderer: WebGLRenderer | null;
+  private readonly flat: FlatPlan;
   private readonly scene = new Scene();
   private readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.1, 1000);
   private readonly above = new OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
@@ -84,8 +89,16 @@ export class Stage {
   ) {
     const alpha = options.overlay ?? false;
     const antialias = options.marks <= mostSmooth && !(alpha && isSoftware()); // edges that are worth their time
-    this.renderer = new WebGLRenderer({ canvas, antialias, alpha, powerPreference: "high-performance" });
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    const context = canvas.getContext("webgl2", { alpha: true, antialias, powerPreference: "high-performance" });
+    this.flat = new FlatPlan(canvas);
+    this.renderer = context && new WebGLRenderer({ canvas, context });
+    if (this.renderer) this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    for (const event of ["webglcontextlost", "webglcontextrestored"])
+      canvas.addEventListener(event, () => {
+        this.blendMarks();
+        this.recolour();
+        this.onPicture();
+      });
     this.fixtures = new Fixtures(scenery);
     this.scene.add(this.fixtures.group, this.links.mesh, this.extras);
     this.perspective.up.set(0, 0, 1);
@@ -130,12 +143,22 @@ export class Stage {
     }
   }
 
+  /** What draws; null without WebGL, and while the browser has taken it away. */
+  private get drawing(): WebGLRenderer | null {
+    return this.renderer?.getContext().isContextLost() ? null : this.renderer;
+  }
+
+  /** Without a picture, marks of an overlay are drawn all the same. */
+  get hasPicture(): boolean {
+    return this.drawing !== null;
+  }
+
   private get isOverlay(): boolean {
     return this.isPlan && this.options.overlay === true;
   }
 
   private blendMarks(): void {
-    const { antialias = false } = this.renderer.getContext().getContextAttributes() ?? {};
+    const { antialias = false } = this.renderer?.getContext().getContextAttributes() ?? {};
     for (const marks of this.marks) marks.blend(this.isOverlay, antialias);
   }
 
@@ -163,12 +186,15 @@ export class Stage {
     this.orbit.target.copy(middle);
     this.perspective.near = Math.max(0.05, distance / 500);
     this.perspective.far = 6 * distance;
-    this.above.position.set(middle.x, middle.y, b[2] + 10);
-    this.above.far = b[2] - a[2] + 20;
-    this.pan.target.set(middle.x, middle.y, a[2]);
-    this.above.zoom = 1 / (1.06 * Math.max(b[1] - a[1], (b[0] - a[0]) / wide));
     this.orbit.update();
-    this.pan.update();
+    // An overlay stays where it is: the picture may arrive when the plan is shown again.
+    if (!this.options.overlay) {
+      this.above.position.set(middle.x, middle.y, b[2] + 10);
+      this.above.far = b[2] - a[2] + 20;
+      this.pan.target.set(middle.x, middle.y, a[2]);
+      this.above.zoom = 1 / (1.06 * Math.max(b[1] - a[1], (b[0] - a[0]) / wide));
+      this.pan.update();
+    }
     this.updateCameras();
   }
 
@@ -177,7 +203,7 @@ export class Stage {
     this.orbit.enabled = !plan;
     this.pan.enabled = plan && !this.options.overlay;
     this.fixtures.group.visible = !this.isOverlay;
-    this.renderer.setClearAlpha(this.isOverlay ? 0 : 1);
+    this.renderer?.setClearAlpha(this.isOverlay ? 0 : 1);
     this.blendMarks();
     this.draw();
   }
@@ -262,15 +288,15 @@ export class Stage {
     if (width < 1 || height < 1) return;
     this.width = width;
     this.height = height;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.setSize(width, height, false);
+    this.renderer?.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer?.setSize(width, height, false);
     this.perspective.aspect = width / height;
     this.updateCameras();
     this.draw();
   }
 
   recolour(): void {
-    this.renderer.setClearColor(colourOf(this.canvas, "--stage"), this.isOverlay ? 0 : 1);
+    this.renderer?.setClearColor(colourOf(this.canvas, "--stage"), this.isOverlay ? 0 : 1);
     this.fixtures.recolour(this.canvas);
     const { direct, reflected, unknown } = this.links.mesh.material.uniforms;
     direct.value = colourOf(this.canvas, "--direct");
@@ -295,7 +321,8 @@ export class Stage {
 
   /** Draws one frame, then times several (limited by count and ms) and stores the median time. */
   measure(frames: number, longest = Infinity): number {
-    const gl = this.renderer.getContext();
+    const gl = this.drawing?.getContext();
+    if (!gl) return NaN;
     const pixel = new Uint8Array(4);
     const times: number[] = [];
     let end = 0;
@@ -315,20 +342,22 @@ export class Stage {
 
   /** The visible mark nearest to a point of the canvas (CSS pixels); 0 for none. */
   pick(x: number, y: number): number {
+    const { drawing } = this;
+    if (!drawing) return 0;
     const [camera] = this.current();
     const reach = (pickSize - 1) / 2;
     camera.setViewOffset(this.width, this.height, x - reach - 0.5, y - reach - 0.5, pickSize, pickSize);
     for (const marks of this.marks) marks.uniform("picking").value = true;
     const links = this.links.mesh.visible;
     this.links.mesh.visible = false;
-    this.renderer.setRenderTarget(this.pickTarget);
+    drawing.setRenderTarget(this.pickTarget);
     const clear = colourOf(this.canvas, "--stage");
-    this.renderer.setClearColor(0, 0);
-    this.withoutColour(() => this.renderer.render(this.scene, camera));
+    drawing.setClearColor(0, 0);
+    this.withoutColour(() => drawing.render(this.scene, camera));
     const pixels = new Uint8Array(4 * pickSize * pickSize);
-    this.renderer.readRenderTargetPixels(this.pickTarget, 0, 0, pickSize, pickSize, pixels);
-    this.renderer.setRenderTarget(null);
-    this.renderer.setClearColor(clear, this.isOverlay ? 0 : 1);
+    drawing.readRenderTargetPixels(this.pickTarget, 0, 0, pickSize, pickSize, pixels);
+    drawing.setRenderTarget(null);
+    drawing.setClearColor(clear, this.isOverlay ? 0 : 1);
     this.links.mesh.visible = links;
     for (const marks of this.marks) marks.uniform("picking").value = false;
     camera.clearViewOffset();
@@ -394,7 +423,12 @@ export class Stage {
       marks.uniform("perspective").value = !this.isPlan;
     }
     this.links.mesh.material.uniforms.view.value.set(this.width, this.height);
-    this.renderer.render(this.scene, camera);
-    this.drawCalls = this.renderer.info.render.calls;
+    const { drawing, width, height } = this;
+    const { x, y } = this.above.position;
+    if (drawing || !this.isOverlay) this.flat.hide();
+    else this.flat.draw(this.marks, this.links, { middle: [x, y], scale: this.above.zoom * height, width, height });
+    if (!drawing) return;
+    drawing.render(this.scene, camera);
+    this.drawCalls = drawing.info.render.calls;
   }
 }

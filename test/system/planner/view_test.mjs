@@ -198,3 +198,42 @@ for (const store of ["thesis", "grocery", "chiller", "market-hall", "supermarket
       check(fits, "everything is shown at first");
       await tab.picture(`${store}-${width}`);
     });
+
+testPlanner("view: the plan outlives the loss of WebGL", { smoke: true }, async (tab) => {
+  // The page keeps what it showed before. The result: the pixels of marks, and those that differ.
+  const compare = (selector) =>
+    tab.page.evaluate((of) => {
+      const { stage } = window.shelfbeamPlanner.page;
+      const canvas = document.querySelector(of);
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      stage.draw();
+      stage.drawPending();
+      const context = copy.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const alphas = context.getImageData(0, 0, copy.width, copy.height).data.filter((_, k) => k % 4 === 3);
+      window.alphasBefore ??= alphas;
+      const differ = alphas.filter((alpha, k) => alpha > 128 !== window.alphasBefore[k] > 128).length;
+      return { drawn: alphas.filter((alpha) => alpha > 128).length, differ };
+    }, selector);
+  const { drawn } = await compare("canvas.marks");
+  check(drawn > 1000, `${drawn} pixels`);
+  await tab.page.evaluate(() => {
+    window.gl = document.querySelector("canvas.marks").getContext("webgl2").getExtension("WEBGL_lose_context");
+    window.gl.loseContext();
+  });
+  await tab.until(() => document.querySelector("canvas.marks + canvas:not([hidden])") !== null);
+  const flat = await compare("canvas.marks + canvas");
+  check(flat.differ < 0.3 * drawn, `${flat.differ} of ${drawn} pixels differ`);
+  await tab.press("d");
+  says(await tab.text(".plan > .absent"), "WebGL");
+  await tab.press("d");
+  await tab.drag([10, 9.85], [11, 9.85]);
+  await tab.steps(1);
+  check((await compare("canvas.marks + canvas")).differ > flat.differ, "negative control: marks that have moved");
+  await tab.page.evaluate(() => window.gl.restoreContext());
+  await tab.until(() => document.querySelector("canvas.marks + canvas:not([hidden])") === null);
+  await tab.press("Control+z", "Escape");
+  await tab.steps(0);
+  equal(await compare("canvas.marks"), { drawn, differ: 0 }, "marks after WebGL has come back");
+});

@@ -106,10 +106,13 @@ const lacking = [
   ["scripts", "requires JavaScript", "Emulation.setScriptExecutionDisabled", { value: true }],
   [
     "WebGL",
-    "cannot be shown in this browser",
+    "needs WebGL 2",
     "Page.addScriptToEvaluateOnNewDocument",
     {
-      source: "HTMLCanvasElement.prototype.getContext = () => null;",
+      source: `const { getContext } = HTMLCanvasElement.prototype;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+          return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more);
+        };`,
     },
   ],
 ];
@@ -121,5 +124,35 @@ for (const [name, told, ...message] of lacking) {
     await page.settle();
     says(await page.text("#viewer-root"), told);
     check((await page.evaluate("document.querySelectorAll('#plans svg').length")) > 3, "no plans");
+    if (name === "scripts") return;
+    check((await page.evaluate("document.querySelectorAll('.v3-list input').length")) > 3, "no list of units");
+    equal(page.errors, [], "errors");
   });
 }
+
+testReport("the picture comes back after a loss of WebGL", { of: "grocery" }, async (page) => {
+  const change = (call, isAbsent) =>
+    page.run(
+      async ({ stage }, name, wanted) => {
+        window.lost ??= stage.canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+        window.lost[name]();
+        while (document.querySelector(".v3-absent").hidden === wanted)
+          await new Promise((done) => setTimeout(done, 20));
+      },
+      call,
+      isAbsent,
+    );
+  const draw = () =>
+    page.run(({ stage }) => {
+      stage.drawCalls = 0;
+      stage.draw();
+      stage.drawPending();
+      return stage.drawCalls;
+    });
+  const before = await draw();
+  await change("loseContext", true);
+  says(await page.text(".v3-absent"), "needs WebGL 2");
+  equal(await draw(), 0, "draw calls without WebGL");
+  await change("restoreContext", false);
+  equal(await draw(), before, "draw calls");
+});

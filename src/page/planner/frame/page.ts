@@ -1,6 +1,6 @@
 // Puts the planner's parts together.
 
-import { element } from "../../panel/dom";
+import { element, setText } from "../../panel/dom";
 import { Names } from "../../scene/names";
 import { onThemeChange } from "../../scene/palette";
 import { Stage } from "../../scene/stage";
@@ -72,6 +72,8 @@ export class Page {
     "aria-label": text.access.plan,
   });
   private readonly canvas = element("canvas", { class: "marks", role: "application", "aria-label": text.access.space });
+  /** Why there is no 3-D picture. */
+  private readonly absent = element("p", { class: "absent", role: "status", hidden: true });
   private readonly names = new Names();
   private readonly plan = element("section", { class: "plan", "aria-label": text.access.drawing });
   private readonly arrivals: Arrivals;
@@ -149,6 +151,7 @@ export class Page {
       this.backdrop.root,
       this.shapes.root,
       this.canvas,
+      this.absent,
       this.names.root,
       this.overlay.root,
       this.surface,
@@ -177,6 +180,7 @@ export class Page {
       this.markDrawn();
       this.marks.markDrawn();
     };
+    this.stage.onPicture = () => this.showPicture();
     planner.changes.onFlushed = () => this.stage.drawPending();
     this.commands.onRefused = (why) => planner.say(why, true);
     planner.onTool = () => this.gestures.useTool();
@@ -278,9 +282,16 @@ export class Page {
     const hadFocus = document.activeElement === surface || document.activeElement === canvas;
     surface.hidden = !planner.isPlan; // takes the focus from it
     stage.setPlan(planner.isPlan);
+    this.showPicture();
     this.follow();
     // Arrow keys move the cross of a line, wherever its tool was chosen.
     if (hadFocus || beginsInPlan(planner.tool)) this.focusPlan();
+  }
+
+  private showPicture(): void {
+    const isAbsent = !this.planner.isPlan && !this.stage.hasPicture;
+    setText(this.absent, isAbsent ? text.access.no_space : "");
+    this.names.root.hidden = isAbsent;
   }
 
   private focusPlan(): void {
