@@ -327,7 +327,7 @@ export class View {
     }
     if (event.key === "+" || event.key === "=") this.stage.zoom(1.2);
     else if (event.key === "-") this.stage.zoom(1 / 1.2);
-    else if (event.key === "0" || event.key === "Home") this.stage.showAll();
+    else if (event.key === "0" || event.code === "Digit0" || event.key === "Home") this.stage.showAll();
     else if (event.key === "Escape" && this.model.state.selection) this.model.select(null);
     else return false;
     this.stage.draw();

@@ -40,6 +40,7 @@ import "./tabs_test.mjs";
 import "./random_test.mjs";
 import "./access_test.mjs";
 import "./keyboard_test.mjs";
+import "./layout_test.mjs";
 
 const [shelfbeam, packages, examples, work, filter = ""] = process.argv.slice(2);
 const program = ["chromium", "chromium-browser", "google-chrome"]

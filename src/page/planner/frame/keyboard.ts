@@ -1,7 +1,7 @@
 // The keyboard of the page: chords run commands, Space moves the plan, and the clipboard holds elements.
 
 import type { Commands } from "../access/commands";
-import { chordOf, isField, isOfField } from "../access/keys";
+import { chordOf, isField, isOfField, keyOf } from "../access/keys";
 import { copySelection, deleteSelection, paste } from "../actions/copy";
 import { whyNoCopy } from "../actions/why_not";
 import { fromText, toText } from "../elements/copies";
@@ -33,10 +33,20 @@ export function listenToKeys(
   pasteFile: (file: File) => void,
   beginLength: (typed: string) => boolean,
 ): void {
+  // Keys of an input method are for its text, also Enter and Escape: no field or list gets them. Safari tells by 229 alone.
+  document.addEventListener(
+    "keydown",
+    (event) => {
+      if (event.isComposing || event.keyCode === 229) event.stopImmediatePropagation();
+    },
+    { capture: true },
+  );
   document.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || event.isComposing) return;
+    if (event.defaultPrevented) return;
+    // AltGr writes a character, which no command has. Windows reports Ctrl and Alt with it.
+    if (event.getModifierState("AltGraph") && event.key !== "Escape") return;
     // Also with the keys held that change the gesture.
-    const cancels = event.key === "Escape" || ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z");
+    const cancels = event.key === "Escape" || ((event.ctrlKey || event.metaKey) && keyOf(event).toLowerCase() === "z");
     if (cancels && gestures.cancel()) {
       event.preventDefault();
       return;
