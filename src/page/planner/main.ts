@@ -1,6 +1,7 @@
 // The entry point of the planner.
 
 import { newsOf } from "./actions/news";
+import { isTyping } from "./form/inputs";
 import { Page } from "./frame/page";
 import { Planner } from "./planner";
 import { say, text } from "./text";
@@ -24,6 +25,18 @@ try {
     planner.say(say(text.notices.refused, label, message || text.notices.changed_meanwhile), true);
   };
   planner.document.onOthers = (others) => planner.say(newsOf(others));
+  // A text that has not left its field is saved; the browser asks about what has not reached the server.
+  addEventListener("beforeunload", (event) => {
+    const field = document.activeElement;
+    if (field instanceof HTMLElement && isTyping(field)) field.blur();
+    const { saving } = planner.document;
+    const isWaiting = saving.state === "saving" || (saving.state === "lost" && saving.edits > 0);
+    const isUnread = field instanceof HTMLElement && isTyping(field);
+    // A length at a line that is being drawn waits for a button or for Enter.
+    const isOpen =
+      field instanceof HTMLInputElement && field.value !== "" && field.closest(".length-field, .edge-fields");
+    if (isWaiting || isUnread || isOpen) event.preventDefault();
+  });
   window.shelfbeamPlanner = { planner, page };
   planner.connection.open();
 } catch (error) {

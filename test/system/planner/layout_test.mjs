@@ -1,4 +1,4 @@
-// Tests keyboards of other scripts, AltGr, and input methods.
+// Tests keyboards of other scripts, AltGr, input methods, and what happens to typed text when the tab closes.
 
 import { check, equal } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
@@ -49,4 +49,48 @@ testPlanner("layouts: AltGr and input methods are for text", {}, async (tab) => 
     (await tab.page.evaluate(() => document.activeElement.dataset.key)) !== "field/id",
     "negative control: Enter alone",
   );
+});
+
+/** Closes the tab as a person does; the result: what the browser asks. */
+async function close(tab) {
+  const asked = [];
+  const closed = tab.page.waitForEvent("close");
+  tab.page.on("dialog", (dialog) => {
+    asked.push(dialog.type());
+    void dialog.accept();
+  });
+  await tab.page.close({ runBeforeUnload: true });
+  await closed;
+  return asked;
+}
+
+/** What a tab that the test has closed has saved. */
+async function saved(server, expected) {
+  const isThere = () => server.json.fixtures.some((fixture) => fixture.length === expected);
+  for (const end = Date.now() + 8000; !isThere(); await new Promise((done) => setTimeout(done, 25)))
+    check(Date.now() < end, `${expected} m is not saved`);
+}
+
+testPlanner("closing: a typed length that has not left its field is saved", { keeps: true }, async (tab, given) => {
+  const again = await given.tab(tab.server);
+  equal(await close(again), [], "negative control: nothing is asked if nothing is typed");
+  await tab.click(11, 14.4);
+  await tab.page.focus('[data-key="field/length"]');
+  await tab.press("Control+a");
+  await tab.page.keyboard.insertText("7.25");
+  check(await tab.isUntouched(), "negative control: it is not saved before");
+  const asked = await close(tab);
+  check(
+    asked.every((type) => type === "beforeunload"),
+    asked.join(),
+  );
+  await saved(tab.server, 7.25);
+});
+
+testPlanner("closing: the browser asks about what cannot be saved", { keeps: true }, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.page.focus('[data-key="field/length"]');
+  await tab.page.keyboard.insertText("long");
+  equal(await close(tab), ["beforeunload"]);
+  check(tab.server.text === tab.server.first, "the store is untouched");
 });
