@@ -1,5 +1,7 @@
 #include "serve/live/values.hpp"
 
+#include <utility>
+
 #include "shelfbeam/report/messages/known_values.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/store/value_marks.hpp"
@@ -11,13 +13,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Type>
-Json product(const Type& type, double amount, const std::optional<double>& price) {
+Json product(const Type& type, double amount, Json price) {
   return {{"name", type.name},
           {"source", type.origin.source ? Json(to_text(*type.origin.source)) : Json()},
           {"order_number", type.order_number},
           {"picture", type.picture},
           {"amount", amount},
-          {"price", price ? Json(*price) : Json()}};
+          {"price", std::move(price)}};
 }
 
 }  // namespace
@@ -38,12 +40,11 @@ Json products_of(const Draft& draft) {
   Json labels = Json::array(), units = Json::array();
   for (std::size_t k = 0; k < store.shared.label_types; ++k) {
     const LabelType& type = store.label_types[k];
-    labels.push_back(product(type, type.threshold, type.price));
+    labels.push_back(product(type, type.threshold, type.price ? Json(*type.price) : Json()));
   }
   for (std::size_t k = 0; k < store.shared.transceiver_types; ++k) {
     const TransceiverType& type = store.transceiver_types[k];
-    const auto price = type.has_cost ? std::optional(type.cost) : std::nullopt;
-    units.push_back(product(type, power(type.emission), price));
+    units.push_back(product(type, power(type.emission), type.has_cost ? Json(type.cost) : Json()));
   }
   return {{"label_types", std::move(labels)}, {"transceiver_types", std::move(units)}};
 }

@@ -123,8 +123,8 @@ TEST(KnownValuesOfPlansSlow, AreTheSameWhereverTheyAreShown) {
         const std::string assumed = assumed_sentence(english(), store.plan);
         for (const std::string* text : {&shown.terminal, &shown.planner, &shown.batch}) {
           EXPECT_EQ(text->find(english_badge) != std::string::npos, all);
-          if (!assumed.empty())
-            EXPECT_THAT(*text, HasSubstr(text == &shown.batch ? escape(assumed) : assumed));
+          if (assumed.empty()) continue;
+          EXPECT_THAT(*text, HasSubstr(text == &shown.batch ? escape(assumed) : assumed));
         }
         EXPECT_THAT(shown.page, HasSubstr(assumed_sentence(words, store.plan)));
         EXPECT_EQ(assumed.empty(), store.plan.weakest_state() != ValueState::assumed);
@@ -149,8 +149,9 @@ TEST(KnownValuesOfPlansSlow, NoneClaimsAReserveOnAnAssumedThreshold) {
             claimed.insert(claim);
             EXPECT_TRUE(is_known) << claim << " in " << *text;
           }
-        if (store.plan.weakest_state() == ValueState::assumed)
+        if (store.plan.weakest_state() == ValueState::assumed) {
           EXPECT_NE(shown.badge, Words(language)("verdict.certified.yes.confirmed"));
+        }
       }
   }
   EXPECT_EQ(assumed, stores * 2 * 2U);
