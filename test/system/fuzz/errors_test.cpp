@@ -61,7 +61,7 @@ constexpr Bad bad_files[] = {
     {"planogram", "7,Jam,P,1,1,1", "7,Jam,P,1,3,1"},
     {"catalogue", R"("base": {)", R"("run2": {}, "own": {)"},
     {"device_csv", "id,x,y", "id;x;y"},
-    {"device_csv", "P,5,0.01", "P,5,1cm"},
+    {"device_csv", "P,5,0.01", "P,5,1kg"},
     {"mesh", "f 1/1/1 3//1 2", "f 1 2 9"},
     {"mesh", "vertex 1 0 0", "vertex 1 x 0"},
     {"mesh", R"("count":3,"type":"VEC3","max":[1,1,0])", R"("count":9,"type":"VEC3")"},
