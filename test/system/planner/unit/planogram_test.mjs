@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
+import { mutantOf } from "../../../data/dxf_mutants.mjs";
 import { articles, names, planogramFile, types } from "../../../data/planogram_file.mjs";
 import { checkPlanogram } from "../../../../src/page/planner/planogram/check";
 import { faceNamed } from "../../../../src/page/planner/planogram/face_words";
@@ -11,6 +12,7 @@ import { faceOfFixture, hasMergedCells, missingRoles } from "../../../../src/pag
 import { recalled, remember } from "../../../../src/page/planner/planogram/memory";
 import { fileOf, ownLabels, sectionOf } from "../../../../src/page/planner/planogram/output";
 import { holderOf } from "../../../../src/page/planner/planogram/shop";
+import { NotATable } from "../../../../src/page/planner/table/fault";
 import { readTable } from "../../../../src/page/planner/table/table";
 
 const read = (text) => readTable(new TextEncoder().encode(text));
@@ -375,6 +377,25 @@ test("lists of labels and candidates are recognised, and checked by line", () =>
     "id,x,y,z,ax,ay,az,roll_deg,type\na,150,200,300,0,0,-1,0,ceiling\n",
   );
   assert.equal(listKindOf(read("EAN;Regal\n1;2\n")), null);
+});
+
+test("damaged planograms are read or refused", () => {
+  const { file } = planogramFile();
+  const lines = Buffer.from(file).toString("latin1").split("\n").slice(0, 80).join("\n");
+  const whole = Buffer.from(lines, "latin1");
+  const mutants = Number(process.env.PLANOGRAM_MUTANTS ?? 100);
+  let refused = 0;
+  for (let key = 0; key < mutants; ++key)
+    try {
+      const table = readTable(mutantOf(whole, key), isColumnName);
+      const { good, bad } = checkPlanogram(table, mapped(table), shop);
+      assert.equal(good.length + bad.length, table.rows.length);
+      fileOf(good, mapped(table), shop);
+    } catch (error) {
+      if (!(error instanceof NotATable)) throw new Error(`mutant ${key}`, { cause: error });
+      ++refused;
+    }
+  assert.ok(refused < mutants / 2, `${refused} are refused as a whole`);
 });
 
 const shopOfTables = { ...shop, holders: new Map(["A1", "A2", "A3"].map((id) => [id, holder(id)])) };
