@@ -72,7 +72,7 @@ class CommandLine : public test::ProgramTest {
           "simulate @store.json -o @signal.h5 --samples 2000",
           "place @matrix.csv --threshold 2 -o @placement.json", "plan @store.json -o @plan --samples 2000",
           "report @plan", "export @matrix.csv -o @model.lp --threshold 2"})
-      result.emplace_back(verb.substr(0, verb.find(' ')), told(verb + " " + flag));
+      result.emplace_back(verb.substr(0, verb.find(' ')), told(std::string(verb).append(" ").append(flag)));
     return result;
   }
 };
