@@ -131,7 +131,10 @@ bool CsvReader::next() {
   const std::string_view blanks = separator_ == '\t' ? " " : " \t";
   do {
     if (position_ >= text_.size()) {
-      if (unclear_.line == 0 || decimal_.line != 0) return false;
+      // Whole lengths beside 1.250 show that the file does not write decimals to all numbers.
+      const bool is_shown =
+          decimal_.line != 0 || (!is_doubtful_ && !(has_unclear_length_ && has_whole_length_));
+      if (unclear_.line == 0 || is_shown) return false;
       line_ = unclear_.line;
       std::string whole = unclear_.number;
       std::erase(whole, unclear_.mark);
@@ -182,8 +185,9 @@ void CsvReader::expect_fields(std::size_t least, std::size_t most, std::string_v
 
 bool CsvReader::is_number(std::size_t field) const {
   if (to_number(fields_[field])) return true;
+  // 1/2 and 3 250 may be ids of a bay and a shelf.
   const auto number = written_number(fields_[field]);
-  return number && !number->unit;
+  return number && !number->unit && fields_[field].find_first_of("/ '") == std::string_view::npos;
 }
 
 void CsvReader::note_mark(std::size_t field, const WrittenNumber& number) {
@@ -193,11 +197,14 @@ void CsvReader::note_mark(std::size_t field, const WrittenNumber& number) {
       fail(field,
            fmt::format("is {}, but line {} has {}", in_quotes(fields_[field]), other.line,
                        in_quotes(other.number)),
-           "use the same decimal mark in the whole file, and no thousands separators");
+           "use the same decimal mark in the whole file");
   // Programs that separate by commas write decimal points, spreadsheets that separate by semicolons commas.
   const bool is_usual = (separator_ == ',' && mark == '.') || (separator_ == ';' && mark == ',');
-  Example& example = number.grouped && !is_usual ? unclear_ : decimal_;
-  if (example.line == 0) example = {line_, field, std::string(fields_[field]), mark};
+  Example& example = number.grouped ? unclear_ : decimal_;
+  if (number.grouped && !is_usual) is_doubtful_ = true;
+  if (example.line != 0) return;
+  const std::string_view digits = fields_[field].substr(0, fields_[field].find_last_of("0123456789") + 1);
+  example = {line_, field, std::string(digits), mark};
 }
 
 WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> unit, double most) {
@@ -208,12 +215,14 @@ WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> u
   if (plain &&
       (!std::isfinite(*plain) || decimal_.mark == '.' || content.find('.') == std::string_view::npos)) {
     number.value = *plain;
-  } else if (auto written = written_number(content)) {
+  } else if (auto written = written_number(content);
+             written && (unit || content.find('/') == std::string_view::npos)) {
     number = *written;
     if (number.mark != 0) note_mark(field, number);
+    if (unit && number.grouped) has_unclear_length_ = true;
   } else {
     if (content.empty()) fail(field, "is empty", "a number is expected");
-    const bool is_grouped = content.find_first_not_of("+-0123456789., '") == std::string_view::npos &&
+    const bool is_grouped = content.find_first_not_of("0123456789., '", 1) == std::string_view::npos &&
                             content.find_first_of("0123456789") != std::string_view::npos;
     fail(field, fmt::format("is {}", in_quotes(content)),
          is_grouped ? "a number without thousands separators is expected" : "a number is expected");
@@ -226,6 +235,7 @@ WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> u
              ? "is less than -1e18"
              : std::string(amount_problem(std::abs(number.value))),
          "a finite number is expected");
+  if (unit && number.mark == 0 && number.value != 0) has_whole_length_ = true;
   if (!number.unit) number.unit = unit;
   return number;
 }

@@ -90,7 +90,9 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
   Example decimal_;                    ///< shows the decimal mark of the file
-  Example unclear_;                    ///< read as a decimal, before any number shows the mark
+  Example unclear_;                    ///< the first number that may have a thousands separator
+  bool is_doubtful_ = false;           ///< the separator does not show the mark of some unclear number
+  bool has_unclear_length_ = false, has_whole_length_ = false;
   ChangedIds ids_;
 };
 

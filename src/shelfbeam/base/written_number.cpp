@@ -24,6 +24,7 @@ std::string with_plain_signs(std::string_view text) {
                                                                                        {"\u2032", "'"},
                                                                                        {"\u2019", "'"},
                                                                                        {"\u2033", "\""},
+                                                                                       {"\u201c", "\""},
                                                                                        {"\u201d", "\""},
                                                                                        {"''", "\""},
                                                                                        {"\u00a0", " "},
@@ -125,11 +126,12 @@ class Reader {
       text.remove_prefix(length);
       whole = to_number(first).value_or(-1);
     }
-    if (!text.starts_with('/')) return {};
+    if (!text.starts_with('/') || first.find_first_not_of(decimal_digits) != std::string_view::npos)
+      return {};
     text.remove_prefix(1);
     const std::size_t length = std::min(text.find_first_not_of(decimal_digits), text.size());
-    const auto numerator = to_whole_number(above, 1000),
-               denominator = to_whole_number(text.substr(0, length), 1000);
+    const auto numerator = to_whole_number(above, 999),
+               denominator = to_whole_number(text.substr(0, length), 999);
     if (!numerator || !denominator || whole < 0 || *numerator >= *denominator) return {};
     rest_ = text.substr(length);
     return whole + static_cast<double>(*numerator) / static_cast<double>(*denominator);
@@ -199,7 +201,7 @@ class Reader {
     return number;
   }
 
-  // Whether the text is 1 to 3 decimal_digits, then groups of a mark and 3 decimal_digits.
+  // Whether the text is 1 to 3 digits, then groups of a mark and 3 digits.
   static bool has_thousands(std::string_view text, char mark) {
     std::size_t length = text.find(mark);
     if (length < 1 || length > 3) return false;

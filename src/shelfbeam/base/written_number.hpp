@@ -8,7 +8,7 @@
 namespace shelfbeam {
 
 /// A number as people and spreadsheets write it. The page reads numbers by the same rules
-/// (src/page/planner/geometry/written_number.ts); test/data/written_numbers.json has the cases of both.
+/// (src/page/planner/geometry/written_number.ts); test/data/written_numbers.tsv has the cases of both.
 ///
 ///   1.25   1,25   1250   -0,5   .5   1.5e-3   5 1/2        a decimal point or comma, a fraction
 ///   1,250.5   1.250,5   1.250.000   1 250   1'250          with marks of thousands

@@ -141,12 +141,10 @@ export class Arrivals {
       planner.look.set({ layers: { ...layers, [made.file]: planner.look.layersOf(before.file) } });
       const after = replacedBy(before, made, planner.document.unit);
       void editDrawing(planner, text.edits.replace_picture, after);
-      planner.say(
-        say(
-          before.check && !after.check && after.scale ? text.picture.replaced_unchecked : text.picture.replaced,
-          made.file,
-        ),
-      );
+      const hasOwnUnit = after.unit !== undefined && !after.scale && before.unit !== after.unit;
+      const isUnchecked = after.scale && !after.check && (before.check || after.unit !== undefined);
+      const { replaced, replaced_unit, replaced_unchecked } = text.picture;
+      planner.say(say(hasOwnUnit ? replaced_unit : isUnchecked ? replaced_unchecked : replaced, made.file));
       return;
     }
     const { file, page, unit, origin, size } = made;

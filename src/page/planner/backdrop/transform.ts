@@ -178,6 +178,17 @@ function scaleOfUnit({ unit, size: [width, height] }: Drawing, { factor }: Lengt
 
 function atCorner(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
   const { file, size, page = 1 } = next;
+  // A unit that a person has overruled by a scale does not come back with the next version.
+  if (next.unit !== undefined && next.unit === drawing.unit && drawing.scale) {
+    const { from, to, length } = drawing.scale;
+    const [width, height] = size;
+    const line = {
+      from: [0, height] as Point,
+      to: [width, height] as Point,
+      length: (width * length) / distance(from, to),
+    };
+    return { ...drawing, ...next, scale: line, check: undefined, crop: undefined };
+  }
   // A drawing with a unit is straight.
   const exact = { page: undefined, scale: undefined, check: undefined, crop: undefined, rotation_deg: undefined };
   if (next.unit !== undefined) return { ...drawing, ...exact, ...next };

@@ -37,16 +37,20 @@ function partings(typed: string): string[][] {
   const hasDecimalComma = /\d,\d/.test(typed);
   if (typed.includes(";")) return [at(/[;\n]/)];
   const pairs = typed.match(/[^,\s]+,[^,\s]+(?=,|$)/g) ?? [];
-  if (hasDecimalComma) return [at(/[,\s]+/), at(/,\s+|\s+(?!,)/), at(/,\s+/), pairs.join() === typed ? pairs : [""]];
+  if (hasDecimalComma)
+    return [at(/[,\s]+/), at(/,\s+|\s+(?!,)/), at(/,\s+/), ...(pairs.join() === typed ? [pairs] : [])];
   return typed.includes(",") ? [at(/,/)] : [at(/\s+/), [typed]];
 }
 
 /** Numbers with semicolons, commas or spaces between them; of lists with different readings, those of a size count. */
 export function numbersFrom(typed: string, measure: Measure, unit: LengthUnit, size?: number): number[] {
   if (typed.trim() === "") return [];
+  // 2 400 may be one number.
+  if (size === undefined && /(^|\s)[1-9]\d{0,2}\s+\d{3}(?!\d)/.test(typed) && !/[;,]/.test(typed))
+    throw new Unreadable(text.form.unclear_list);
   const lists = new Map<string, number[]>();
   for (const words of partings(typed.trim())) {
-    while (words.at(-1) === "") words.pop();
+    while (words.length > 1 && words.at(-1) === "") words.pop();
     const found = words.map((word) => readings(word, measure, unit));
     if (found.some((values) => values.length === 0) || (size !== undefined && words.length !== size)) continue;
     if (found.some((values) => values.length > 1)) throw new Unreadable(text.form.unclear_list);

@@ -131,6 +131,9 @@ const longest = 1000; // m
 /** The lengths in a unit (its length in m) that a text may stand for; none if it is no length. */
 export function lengthsOf(text: string, unit: number): number[] {
   const found = readingsOf(text, unit).map(({ value, length }) => (length === 1 ? value / unit : value));
+  // No country separates thousands of feet or inches by points.
+  const isImperial = unit === metres.ft || unit === metres.in;
+  if (isImperial && !text.includes(",")) return found.slice(0, 1);
   return found.filter((value, k) => k === 0 || Math.abs(value * unit) < longest);
 }
 

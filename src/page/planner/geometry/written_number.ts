@@ -17,7 +17,7 @@ export interface WrittenNumber {
 const plainSigns: [RegExp, string][] = [
   [/\u2212/g, "-"],
   [/[\u2032\u2019]/g, "'"],
-  [/\u2033|\u201d|''/g, '"'],
+  [/[\u2033\u201c\u201d]|''/g, '"'],
   [/[\u00a0\u2009\u202f]/g, " "],
 ];
 
@@ -85,11 +85,11 @@ function partAt(text: string, at: number): Scanned | null {
   if (found === undefined || !number || !Number.isFinite(number.value)) return null;
   let end = at + found.length;
   let isFraction = false;
-  const fraction = number.mark === undefined ? matchAt(fractionPattern, text, end) : null;
+  const fraction = /^\d+$/.test(found) ? matchAt(fractionPattern, text, end) : null;
   if (fraction) {
     const [all, above, below] = fraction;
     const [whole, numerator] = above === undefined ? [0, number.value] : [number.value, Number(above)];
-    isFraction = numerator < Number(below);
+    isFraction = numerator < Number(below) && numerator < 1000;
     if (isFraction) {
       number.value = whole + numerator / Number(below);
       end += all.length;

@@ -2,7 +2,7 @@
 
 import { factorOf } from "../geometry/units";
 import type { Mark } from "../geometry/written_number";
-import { countIn, markOf, numberIn, unclear } from "../table/numbers";
+import { countIn, markOf, numberIn, ordinalIn, unclear } from "../table/numbers";
 import type { LineFault, Row, Table } from "../table/table";
 import { isPrintable, lineOf } from "../table/write";
 import { fixtureMeant, meantRows, numericColumns, type Face, type Mapping, type Role } from "./mapping";
@@ -168,7 +168,7 @@ class Check {
   private level(text: string, holder: Holder, face: Face): number {
     const { form, first, fromTop } = this.mapping;
     if (text === "") fail("no_level");
-    const level = countIn(text) ?? fail("number", text);
+    const level = ordinalIn(text) ?? fail("number", text);
     const boards = boardsOf(holder, face);
     const index = level - first;
     if (index < 0 || index >= boards) fail("level", text, String(boards));
@@ -230,7 +230,7 @@ class Check {
   }
 
   private segment(text: string): number {
-    const segment = countIn(text) ?? fail("segment", text);
+    const segment = ordinalIn(text) ?? fail("segment", text);
     return segment >= 0 && segment <= mostSegment ? segment : fail("segment", text);
   }
 }

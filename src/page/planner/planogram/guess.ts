@@ -72,7 +72,8 @@ function measureOf(table: Table, column: number | undefined, unit: string, longe
   if (named) return named;
   const numbers = found.map(({ value }) => value);
   const isDistance = /^x|abstand|dist|afstand|offset/.test(squashed(name)) || numbers.some((value) => value % 1 !== 0);
-  if (!isDistance || numbers.length === 0) return "position";
+  if (!isDistance) return "position";
+  if (numbers.length === 0) return unit as Measure;
   const sorted = [...numbers].sort((a, b) => a - b);
   const usual = sorted[Math.ceil(0.95 * (sorted.length - 1))];
   const metres: [Measure, number][] = [

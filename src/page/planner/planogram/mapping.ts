@@ -93,7 +93,8 @@ export const missingRoles = ({ form, columns }: Mapping): Role[] =>
 export const numericColumns = ({ columns }: Mapping): number[] =>
   (["place", "hook", "tilt", "width", "facings"] as const).flatMap((role) => columns[role] ?? []);
 
-const repeated = ["planogram", "fixture", "face", "segment", "level", "type"] as const;
+/** In the order of what they are parts of. */
+const repeated = ["planogram", "fixture", "segment", "face", "level"] as const;
 const repeatedColumns = ({ columns }: Mapping): number[] => repeated.flatMap((role) => columns[role] ?? []);
 
 /** Whether some lines have empty cells in columns that others of the same kind have filled. */
@@ -112,10 +113,13 @@ export function meantRows({ rows }: Table, mapping: Mapping): readonly Row[] {
   return rows.map((row) => {
     if (row.fault) return row;
     const fields = [...row.fields];
-    for (const at of columns) {
+    columns.forEach((at, k) => {
+      // Another fixture begins with its own face and board.
+      if (fields[at] !== "" && fields[at] !== above.get(at))
+        for (const part of columns.slice(k + 1)) above.delete(part);
       if (fields[at] === "") fields[at] = above.get(at) ?? "";
       above.set(at, fields[at]);
-    }
+    });
     return { ...row, fields };
   });
 }

@@ -6,18 +6,28 @@ import type { Table } from "./table";
 /** Programs that separate by commas write decimal points, spreadsheets that separate by semicolons decimal commas. */
 const usualMarks: Record<string, Mark | undefined> = { ",": ".", ";": "," };
 
-/** The decimal mark of the numbers in some columns; null if they do not show it, or show both. */
+/**
+ * The decimal mark of the numbers in some columns; null if they do not show it, or show both. The separator shows it unless
+ * a column has whole numbers beside 1.250: such a file does not write decimals to all numbers.
+ */
 export function markOf({ rows, separator }: Table, columns: readonly number[]): Mark | null {
   const certain = new Set<Mark>();
-  const unclear = new Set<Mark>();
-  for (const { fields, fault } of rows)
-    for (const column of fault ? [] : columns) {
-      const number = writtenNumber(fields[column]);
-      if (number?.mark) (number.grouped === undefined ? certain : unclear).add(number.mark);
+  const doubtful = new Set<Mark>();
+  let isUsual = true;
+  for (const column of columns) {
+    let [hasWhole, hasUnclear] = [false, false];
+    for (const { fields, fault } of rows) {
+      const number = fault ? null : writtenNumber(fields[column]);
+      if (!number) continue;
+      if (number.mark) (number.grouped === undefined ? certain : doubtful).add(number.mark);
+      hasUnclear ||= number.grouped !== undefined;
+      hasWhole ||= number.mark === undefined && number.value !== 0;
     }
-  const [usual] = [usualMarks[separator]];
-  if (certain.size === 0 && usual && unclear.has(usual)) certain.add(usual);
-  const all = new Set([...certain, ...unclear]);
+    isUsual &&= !(hasWhole && hasUnclear);
+  }
+  const usual = usualMarks[separator];
+  if (certain.size === 0 && usual && isUsual && doubtful.has(usual)) certain.add(usual);
+  const all = new Set([...certain, ...doubtful]);
   if (all.size === 0) return ".";
   return all.size === 1 && certain.size === 1 ? [...certain][0] : null;
 }
@@ -37,9 +47,18 @@ export function numberIn(
   return number.mark !== undefined && mark !== null && number.mark !== mark ? null : { value, unit };
 }
 
-/** A whole number that may have words around it: "Boden 3", but not "25 cm". */
+/** A whole number that may have words before it, "Boden 3", or a letter or point behind it, but no unit: "25 cm". */
 export function countIn(field: string): number | null {
   if (writtenNumber(field)?.unit) return null;
-  const digits = /^[^\d]*?(-?\d{1,6})(?:[.,]0{1,2})?[^\d.,]*$/.exec(field)?.[1];
+  const digits = /^[^\d]*?(-?\d{1,6})(?:[.,]0{1,2})?(?:[a-z](?![a-z])|[.):\]])?\s*$/i.exec(field)?.[1];
   return digits === undefined ? null : Number(digits);
+}
+
+/** As countIn, of a board or a segment, which may have words behind it: "3. Boden". */
+export function ordinalIn(field: string): number | null {
+  const digits = /^[^\d]*?(-?\d{1,6})(?:[.,]0{1,2})?[^\d.,]*$|^(\d{1,3})(?:\.|st|nd|rd|th|e|er|º|ª)\s*\p{L}+$/iu.exec(
+    field,
+  );
+  const found = digits?.[1] ?? digits?.[2];
+  return found === undefined || writtenNumber(field)?.unit ? null : Number(found);
 }

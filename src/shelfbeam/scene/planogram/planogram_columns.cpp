@@ -98,10 +98,6 @@ class PlanogramHeader {
   std::vector<std::string> names_;
 };
 
-}  // namespace
-
-namespace {
-
 // The number of records above the one with an article column, if they are separated so.
 std::optional<int> records_above(std::string_view text, const std::string& file, char separator) try {
   constexpr int most = 20;
@@ -132,7 +128,7 @@ FixtureColumns read_fixture_columns(CsvReader& csv, std::string_view file) {
   if (!header.optional("fixture") && header.optional(segment_names) && header.optional(shelf_names))
     csv.fail("names segments instead of fixtures", "add 'segments' to 'planogram' of the store");
   FixtureColumns columns;
-  columns.article = header.required("article");
+  columns.article = header.required(article_names);
   columns.fixture = header.required("fixture");
   columns.face = header.required("face");
   columns.level = header.required("level");

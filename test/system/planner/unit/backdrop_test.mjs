@@ -184,6 +184,8 @@ test("m per pixel or point stay, and what nobody has checked counts as unchecked
   assert.deepEqual(replace(page, "plan.pdf", [1000, 700], { page: 2 }), [0.02, false], "another page");
   assert.deepEqual(replace({ ...page, page: 2 }, "plan.pdf", [1000, 700]), [0.02, false], "the first page");
   assert.deepEqual(replace({ ...page, page: 2 }, "b.pdf", [1000, 700], { page: 2 }), [0.02, true]);
+  const unit = { unit: "mm", origin: [0, 0] };
+  assert.deepEqual(replace(before("a.dxf", [1000, 700], unit), "b.dxf", [1400, 700], unit), [0.02, false], "by hand");
   const undone = replacedBy(replacedBy(picture, { file: "b.png", size: [1300, 700] }, metre), picture, metre);
   assert.deepEqual(placementOf(undone, metre), placementOf(picture, metre), "back to the old file");
 });

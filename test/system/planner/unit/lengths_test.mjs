@@ -121,7 +121,10 @@ test("lists with decimal commas are read, or refused", () => {
   assert.deepEqual(list("1,2", 2), [1, 2], "the coordinates of a point");
   assert.deepEqual(list("1.5,2", 2), [1.5, 2]);
   assert.deepEqual(list(""), []);
-  for (const typed of ["0,3 0,7", "0,3, 0,7", "1,2", "0,3,0,7", "a; b", "1;;2"])
+  assert.deepEqual(list("0.3,0.7,1.1"), [0.3, 0.7, 1.1]);
+  assert.deepEqual(list("1,2,3"), [1, 2, 3]);
+  assert.deepEqual(numbersFrom("11.811, 35.433", "length", unitNamed("in")), [11.811, 35.433]);
+  for (const typed of ["0,3 0,7", "0,3, 0,7", "1,2", "0,3,0,7", "a; b", "1;;2", ";", "2 400 3 000"])
     assert.throws(() => list(typed), Unreadable, typed);
   assert.throws(() => list("0,3 0,7", 3), Unreadable);
 });

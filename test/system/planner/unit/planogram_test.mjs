@@ -13,6 +13,7 @@ import { recalled, remember } from "../../../../src/page/planner/planogram/memor
 import { fileOf, ownLabels, sectionOf } from "../../../../src/page/planner/planogram/output";
 import { holderOf } from "../../../../src/page/planner/planogram/shop";
 import { NotATable } from "../../../../src/page/planner/table/fault";
+import { ordinalIn } from "../../../../src/page/planner/table/numbers";
 import { readTable } from "../../../../src/page/planner/table/table";
 
 const read = (text) => readTable(new TextEncoder().encode(text));
@@ -427,6 +428,41 @@ test("cells with units are distances", () => {
   assert.ok(Math.abs(inches.good[0].place - 0.254) < 1e-9);
   const positions = checkedFile("units_in_cells", { measure: "position" });
   assert.deepEqual([positions.good.length, positions.bad[0].reason.code], [0, "number"]);
+});
+
+test("whole distances show that a separator does not tell the decimal mark", () => {
+  for (const [separator, number] of [
+    [";", "1,250"],
+    [",", "1.250"],
+  ]) {
+    const lines = [
+      ["EAN", "Regal", "Seite", "Boden", "Abstand (mm)"],
+      ["1", "A1", "vorne", "1", number],
+    ];
+    const checked = (...more) => {
+      const table = read([...lines, ...more].map((fields) => fields.join(separator)).join("\n"));
+      return checkPlanogram(table, mapped(table), shopOfTables);
+    };
+    assert.equal(checked(["2", "A1", "vorne", "1", "250"]).bad[0].reason.code, "unclear");
+    assert.equal(checked(["2", "A1", "vorne", "1", number.replace("1", "2")]).bad.length, 0);
+  }
+});
+
+test("distances in unknown units are no numbers of places", () => {
+  const cells = ["25 Zoll", "25 Zentimeter", "25 dm", "ca. 25 cm", "25cm links", "x=25 cm", "25 centimeters"];
+  for (const cell of cells) {
+    const table = read(`EAN;Regal;Seite;Boden;Abstand\n1;A1;vorne;1;${cell}\n`);
+    assert.equal(checkPlanogram(table, mapped(table), shopOfTables).bad[0]?.reason.code, "number", cell);
+  }
+  assert.deepEqual(["3. Boden", "Boden 3", "3", "3a", "2nd shelf", "25 cm", "1.250"].map(ordinalIn), [
+    3,
+    3,
+    3,
+    3,
+    2,
+    null,
+    null,
+  ]);
 });
 
 test("merged cells are filled down if a person says so", () => {

@@ -23,7 +23,6 @@ using test::Json;
 using test::scene_of;
 using test::TempFolder;
 using testing::ElementsAre;
-using testing::UnorderedElementsAre;
 
 // The shop with which the planner begins, and a gondola of its catalogue.
 Json new_shop() {
@@ -275,8 +274,8 @@ TEST(KnownValues, OfADraftAreThoseOfTheShop) {
   const Draft draft = read_draft(JsonCursor::parse(all.dump(), "store.json"), {}, SceneDetail::outlines);
   ASSERT_TRUE(draft.problems.empty());
   const auto states = [](const std::vector<DecisiveValue>& values) {
-    std::vector<std::string> names;
-    for (const DecisiveValue& value : values) names.push_back(name_of(value) + value.value);
+    std::string names;
+    for (const DecisiveValue& value : values) names.append(name_of(value)).append(value.value).append("\n");
     return names;
   };
   EXPECT_EQ(states(draft.scene.values), states(scene_of(all).values));

@@ -44,7 +44,7 @@ class UnitEdits : public testing::Test {
     ADD_FAILURE() << id;
     return 0;
   }
-  std::string act(Json request) {
+  std::string act(const Json& request) {
     const UnitEdit edit = unit_edit(request, shop_.json(), shop_.draft());
     const std::string before = text_;
     text_ = edited(text_, edit.ops).text;
