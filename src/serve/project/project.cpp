@@ -120,9 +120,10 @@ bool Project::is_gone() const {
 }
 
 InputError Project::gone() const {
-  return {home_.string(), "was removed, or its drive is gone",
-          "put the folder back with the same store.json, and the planner goes on; for another shop, start it "
-          "again"};
+  return {
+      home_.string(), "was removed, or its drive is gone",
+      "put the folder back with the same store.json, and the planner continues; for another shop, start it "
+      "again"};
 }
 
 // The mount point of a drive that is gone is another, empty folder.

@@ -40,7 +40,7 @@ struct ProjectOptions {
 /// step of the history, after which an edit must still fit. While the file is invalid or gone, or its change
 /// cannot be written to the history, the project keeps the last valid text, and is locked: it cannot be
 /// changed. The same holds while the present folder of the process, if it is that of the project, is gone:
-/// the project goes on when it is back in its place with the same text.
+/// the project continues when it is back in its place with the same text.
 ///
 /// A function that throws OutputError (disk full, no permission) has changed nothing. For one thread.
 class Project {

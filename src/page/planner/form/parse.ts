@@ -36,18 +36,19 @@ function partings(typed: string): string[][] {
   const at = (separator: RegExp) => typed.split(separator).map((word) => word.trim());
   const hasDecimalComma = /\d,\d/.test(typed);
   if (typed.includes(";")) return [at(/[;\n]/)];
-  const pairs = typed.match(/[^,\s]+,[^,\s]+(?=,|$)/g) ?? [];
-  if (hasDecimalComma)
+  if (hasDecimalComma) {
+    const pairs = typed.match(/[^,\s]+,[^,\s]+(?=,|$)/g) ?? [];
     return [at(/[,\s]+/), at(/,\s+|\s+(?!,)/), at(/,\s+/), ...(pairs.join() === typed ? [pairs] : [])];
-  return typed.includes(",") ? [at(/,/)] : [at(/\s+/), [typed]];
+  }
+  if (typed.includes(",")) return [at(/,/)];
+  // 2 400 may be one number.
+  const thousands = typed.replace(/\s+/g, " ").match(/[1-9]\d{0,2}(?: \d{3})+(?!\d)|\S+/g) ?? [];
+  return [at(/\s+/), thousands, [typed]];
 }
 
 /** Numbers with semicolons, commas or spaces between them; of lists with different readings, those of a size count. */
 export function numbersFrom(typed: string, measure: Measure, unit: LengthUnit, size?: number): number[] {
   if (typed.trim() === "") return [];
-  // 2 400 may be one number.
-  if (size === undefined && /(^|\s)[1-9]\d{0,2}\s+\d{3}(?!\d)/.test(typed) && !/[;,]/.test(typed))
-    throw new Unreadable(text.form.unclear_list);
   const lists = new Map<string, number[]>();
   for (const words of partings(typed.trim())) {
     while (words.length > 1 && words.at(-1) === "") words.pop();
