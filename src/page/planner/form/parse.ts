@@ -24,7 +24,8 @@ export function numberFrom(typed: string, measure: Measure, unit: LengthUnit, li
   const found = readings(typed, measure, unit);
   if (found.length === 0) throw new Unreadable(measure === "length" ? text.form.not_length : text.form.not_number);
   const possible = found.filter((value) => value >= limits.least && value <= limits.most);
-  if (possible.length > 1) throw new Unreadable(say(text.form.unclear, ...possible));
+  if (possible.length > 1)
+    throw new Unreadable(say(text.form.unclear, ...possible.map((one) => `${one} ${unitText(measure, unit)}`.trim())));
   return Number((possible.at(0) ?? found[0]).toPrecision(12));
 }
 

@@ -4,7 +4,7 @@ import { say } from "../../data/text";
 import { element } from "../../panel/dom";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, valueAt, type JsonObject } from "../document/json";
-import { parseNumber } from "../geometry/lengths";
+import { numbersOf } from "../geometry/lengths";
 import { firstFree } from "../elements/row_ids";
 import type { Host } from "./host";
 import { polarPicture, type Photometry } from "./polar";
@@ -41,11 +41,18 @@ export function openProfile(host: Host, file: string, photometry: Photometry): v
   show();
   const says = element("p", { class: "says problem", role: "status" });
   const add = async () => {
-    const [type, watts] = [name.value.trim(), parseNumber(flux.value)];
-    const why =
-      type === "" || taken.has(type) ? text.profile.taken : watts === null || watts <= 0 ? text.profile.not_flux : null;
-    says.textContent = why ?? "";
-    if (why !== null || watts === null) return;
+    const type = name.value.trim();
+    const found = numbersOf(flux.value).filter((watts) => watts > 0);
+    const [watts] = found;
+    says.textContent =
+      type === "" || taken.has(type)
+        ? text.profile.taken
+        : found.length === 0
+          ? text.profile.not_flux
+          : found.length > 1
+            ? say(text.form.unclear, ...found.map((one) => `${one} W`))
+            : "";
+    if (says.textContent !== "") return;
     const copied = types[model.value];
     const { picture: _, ...rest } = isObject(copied) ? copied : ({} as JsonObject);
     const builder = new EditBuilder(document.json);

@@ -104,7 +104,7 @@ test("any number is read as it is written, and no text throws", () => {
 
 test("of two readings of a number, the limits decide", () => {
   const mm = unitNamed("mm");
-  assert.throws(() => numberFrom("1,200", "length", mm), /1.2 or 1200/);
+  assert.throws(() => numberFrom("1,200", "length", mm), /1.2 mm or 1200 mm/);
   assert.equal(numberFrom("1,200", "length", mm, { least: 100, most: 1e5 }), 1200);
   assert.equal(numberFrom("1.525", "none", metre, { least: 1, most: 4 }), 1.525);
   assert.throws(() => numberFrom("1.525", "none", metre), Unreadable);
