@@ -14,6 +14,9 @@
 namespace shelfbeam {
 
 Descriptor open_unnamed(const std::filesystem::path& folder) {
+  if (Descriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600)); file.is_open())
+    return file;
+  // Some file systems have names only. If the process ends here, a hidden file remains.
   std::string name = folder / ".shelfbeam-XXXXXX";
   Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
   if (file.is_open()) ::unlink(name.c_str());
