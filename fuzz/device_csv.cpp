@@ -20,9 +20,9 @@ void fuzz_device_csv(std::string_view bytes) {
   Store store = types;
   const std::filesystem::path file = scratch().write("devices.csv", bytes);
   if (bytes.find("ax") == std::string_view::npos)
-    read_labels_csv(InputFile(file), StoreNames(store), store);
+    read_labels_csv({InputFile(file)}, StoreNames(store), store);
   else
-    read_transceivers_csv(InputFile(file), StoreNames(store), store);
+    read_transceivers_csv({InputFile(file)}, StoreNames(store), store);
 }
 
 std::vector<std::string> device_csv_seeds() {

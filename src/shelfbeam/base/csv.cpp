@@ -169,7 +169,27 @@ bool CsvReader::next() {
       ++position_;
     }
   } while (std::all_of(fields_.begin(), fields_.end(), [](std::string_view field) { return field.empty(); }));
+  repeat_merged();
   return true;
+}
+
+void CsvReader::fill_down(std::vector<std::size_t> columns) {
+  merged_.clear();
+  for (const std::size_t column : columns) merged_.emplace_back(column, "");
+}
+
+void CsvReader::repeat_merged() {
+  for (auto one = merged_.begin(); one != merged_.end(); ++one) {
+    auto& [column, above] = *one;
+    if (column >= fields_.size()) continue;
+    std::string_view& field = fields_[column];
+    if (field.empty()) {
+      field = above;
+    } else if (field != above) {
+      above = field;
+      for (auto part = one + 1; part != merged_.end(); ++part) part->second.clear();
+    }
+  }
 }
 
 void CsvReader::expect_fields(std::size_t least, std::size_t most, std::string_view meaning) const {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/changed_ids.hpp"
@@ -32,6 +33,9 @@ class CsvReader {
   /// Moves to the next record; false at the end. Throws InputError at the end if no number has shown whether
   /// "1.500" is a decimal or has a thousands separator.
   bool next();
+  /// From the next record on, empty fields of these columns repeat those of the record above, as merged cells
+  /// of spreadsheets mean them. Each column is a part of those before it: a new value ends its repetition.
+  void fill_down(std::vector<std::size_t> columns);
   /// The current record; valid until `next`.
   const std::vector<std::string_view>& fields() const { return fields_; }
   /// Throws InputError unless the record has `least` to `most` fields; further empty fields do not count.
@@ -78,6 +82,7 @@ class CsvReader {
 
   std::string_view quoted_field();
   void end_line();
+  void repeat_merged();
   WrittenNumber quantity(std::size_t field, std::optional<LengthUnit> unit, double most = max_amount);
   void note_mark(std::size_t field, const WrittenNumber& number);
 
@@ -89,9 +94,11 @@ class CsvReader {
   std::size_t next_line_ = 1;  ///< of `position_`
   std::vector<std::string_view> fields_;
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
-  Example decimal_;                    ///< shows the decimal mark of the file
-  Example unclear_;                    ///< the first number that may have a thousands separator
-  bool is_doubtful_ = false;           ///< the separator does not show the mark of some unclear number
+  std::vector<std::pair<std::size_t, std::string>>
+      merged_;                ///< columns that are filled down, and their fields
+  Example decimal_;           ///< shows the decimal mark of the file
+  Example unclear_;           ///< the first number that may have a thousands separator
+  bool is_doubtful_ = false;  ///< the separator does not show the mark of some unclear number
   bool has_unclear_length_ = false, has_whole_length_ = false;
   ChangedIds ids_;
 };

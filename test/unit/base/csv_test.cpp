@@ -187,6 +187,16 @@ TEST(Csv, CountsFields) {
   EXPECT_EQ(test::input_error([&] { read("1;5;2;5"); }).find("decimal"), std::string::npos);
 }
 
+TEST(Csv, FillsMergedCellsDown) {
+  CsvReader csv("fixture,level,x\nA,1,3\n,,4\n,2,\nB,,5\n,3,6\n", "f.csv");
+  csv.next();
+  csv.fill_down({0, 1});
+  Rows rows;
+  while (csv.next()) rows.emplace_back(csv.fields().begin(), csv.fields().end());
+  EXPECT_EQ(rows, (Rows{{"A", "1", "3"}, {"A", "1", "4"}, {"A", "2", ""}, {"B", "", "5"}, {"B", "3", "6"}}))
+      << "a level of A is not one of B";
+}
+
 TEST(Csv, RefusesOtherEncodingsAndSeparators) {
   const auto refused = [](const std::string& text, const std::string& part) {
     const std::string message = test::input_error([&] { rows_of(text); });

@@ -246,7 +246,6 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
       {head + "L1,5,2,1e9,0,0,1,large\n", ": line 2", "10 km"},
       {head + "L1,5,2,9,0,0,1,large\n", ": line 2", "'L1' at (5, 2, 9)"},
       {head + "L1,5,2,1,0,0,1,large\nL1,5,2,2,0,0,1,large\n", ": line 3", file + ": line 2"},
-      {head + "K\xFChl,5,2,1,0,0,1,large\n", "", "UTF-8"},
   };
   for (const auto& [text, where, what] : cases) {
     folder.write("labels.csv", text);

@@ -20,6 +20,7 @@ constexpr auto all_words = std::to_array<Words>({
     {FindingCode::outside_limits, "outside_limits"},
     {FindingCode::unknown_name, "unknown_name"},
     {FindingCode::changed_ids, "changed_ids", "files with changed ids"},
+    {FindingCode::text_encoding, "text_encoding", "files in guessed encodings"},
     {FindingCode::fixture_outside_room, "fixture_outside_room", "fixtures that extend outside the room"},
     {FindingCode::fixture_overlap, "fixture_overlap", "fixtures that overlap others"},
     {FindingCode::fixture_floating, "fixture_floating", "fixtures that float"},

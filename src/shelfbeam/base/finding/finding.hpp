@@ -18,6 +18,7 @@ enum class FindingCode : std::uint8_t {
   outside_limits,
   unknown_name,
   changed_ids,
+  text_encoding,
   fixture_outside_room,
   fixture_overlap,
   fixture_floating,

@@ -40,7 +40,7 @@ void clear_units(Store& store) {
 
 Store store_with_units(Store store, const std::filesystem::path& csv) {
   clear_units(store);
-  read_transceivers_csv(InputFile(csv), StoreNames(store), store);
+  read_transceivers_csv({InputFile(csv)}, StoreNames(store), store);
   if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
   return store;
 }

@@ -79,10 +79,34 @@ void SegmentPlace::fields(Fields& f) {
 
 void ArticleLabels::fields(Fields& f) {
   f.text("file", file, {.says = "the CSV file", .fewest = 1});
+  std::vector<std::string_view> known, chosen;
+  for (const auto& [name, one] : names_of<Encoding>) known.push_back(name);
+  if (encoding) chosen.push_back(to_text(*encoding));
+  if (f.choices("encoding", chosen, known, true,
+                {.says = "[encoding](csv.md#spreadsheets) of a file that is not UTF-8",
+                 .is_optional = true,
+                 .otherwise = "guessed, with a warning"}))
+    encoding = from_text<Encoding>(chosen.front());
   f.label_type("type", style.type, {.says = "label type of records without one"});
   f.length("hook", style.hook, {.says = hook_says, .is_optional = true});
   f.scalar("tilt_deg", Scalar::degrees, style.tilt_deg,
            {.says = tilt_says, .least = least_label_tilt, .most = most_label_tilt, .is_optional = true});
+  f.integer(
+      "first_level", first_level,
+      {.says = "number in the file of the lowest board", .least = 0, .most = 1000, .is_optional = true});
+  f.boolean("from_top", from_top,
+            {.says = "whether boards are counted downwards; `first_level` is then the highest board",
+             .is_optional = true});
+  f.integer("first_position", first_position,
+            {.says = "number in the file of the first position of an edge",
+             .least = 0,
+             .most = 1,
+             .is_optional = true});
+  f.boolean(
+      "fill_down", fill_down,
+      {.says = "whether an empty fixture, face, level, planogram, segment or shelf repeats the one above, "
+               "as in merged cells",
+       .is_optional = true});
   f.objects(
       "fixtures", fixtures.size(),
       [this](Fields& own, std::size_t k) {

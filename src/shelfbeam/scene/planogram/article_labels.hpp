@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shelfbeam/base/encoding.hpp"
 #include "shelfbeam/base/fields/fields.hpp"
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/scene/fixture/shelving.hpp"
@@ -52,7 +53,12 @@ struct SegmentPlace {
 /// The key `planogram`: the labels of all articles.
 struct ArticleLabels {
   std::string file;
+  std::optional<Encoding> encoding;
   LabelStyle style;
+  std::int64_t first_level = 1;  ///< number of the lowest board, with `from_top` of the highest
+  bool from_top = false;
+  std::int64_t first_position = 1;
+  bool fill_down = false;
   std::vector<StyledFixtures> fixtures;
   std::vector<SegmentPlace> segments;
 

@@ -25,9 +25,9 @@ void read_face(const CsvReader& csv, std::size_t field, const LabelSides& sides,
 
 }  // namespace
 
-FixturePlaces::FixturePlaces(const FixtureColumns& columns, const StoreNames& names, const Store& store,
-                             const Problems& problems)
-    : columns_(columns), names_(names), store_(store), problems_(problems) {
+FixturePlaces::FixturePlaces(const ArticleLabels& labels, const FixtureColumns& columns,
+                             const StoreNames& names, const Store& store, const Problems& problems)
+    : labels_(labels), columns_(columns), names_(names), store_(store), problems_(problems) {
   for (std::size_t f = 0; f < store.fixtures.size(); ++f) index_.emplace(id_of(store.fixtures[f].value), f);
 }
 
@@ -39,7 +39,8 @@ std::size_t FixturePlaces::add(CsvReader& csv) {
   if (found == index_.end()) {
     expect_fixtures(problems_, id);
     csv.fail(columns_.fixture, fmt::format("names the unknown fixture {}", in_quotes(id)),
-             id_remedy(id, "correct the id, or add the fixture to the store"));
+             id.empty() ? "name it, or set 'fill_down' of 'planogram' if cells were merged"
+                        : id_remedy(id, "correct the id, or add the fixture to the store"));
   }
   place.fixture = found->second;
   record.read_type(place.style);
@@ -47,13 +48,17 @@ std::size_t FixturePlaces::add(CsvReader& csv) {
   if (!sides || sides->heights.empty())
     csv.fail(columns_.fixture, "names a fixture without boards", fmt::format("use {}", types_with_sides));
   read_face(csv, columns_.face, *sides, place);
-  place.level = record.whole(columns_.level, static_cast<int>(sides->levels(place.face)));
+  const auto boards = static_cast<int>(sides->levels(place.face));
+  const auto lowest = static_cast<int>(labels_.first_level);
+  const int level = record.whole(columns_.level, lowest, lowest + boards - 1, ", or correct 'first_level'");
+  place.level = labels_.from_top ? boards - (level - lowest) : level - lowest + 1;
   int position = 0;
   if (columns_.by_x) {
     place.along = record.distance(columns_.place, sides->length(place.face), "edge");
   } else {
     constexpr int max_positions = 1000;
-    position = record.whole(columns_.place, max_positions);
+    const auto first = static_cast<int>(labels_.first_position);
+    position = record.whole(columns_.place, first, max_positions, ", or set 'first_position'") - first + 1;
   }
   if (!place.face && has_value(csv, columns_.y))
     place.across = record.distance(*columns_.y, sides->footing.depth, "top");

@@ -15,8 +15,8 @@ class Problems;
 /// The places of a file whose records name fixtures, faces and levels.
 class FixturePlaces {
  public:
-  FixturePlaces(const FixtureColumns& columns, const StoreNames& names, const Store& store,
-                const Problems& problems);
+  FixturePlaces(const ArticleLabels& labels, const FixtureColumns& columns, const StoreNames& names,
+                const Store& store, const Problems& problems);
 
   /// Adds the place of a record, and returns the number of places added. Throws InputError.
   std::size_t add(CsvReader& csv);
@@ -24,6 +24,7 @@ class FixturePlaces {
   std::vector<PlanogramPlace> finish();
 
  private:
+  const ArticleLabels& labels_;
   const FixtureColumns columns_;
   const StoreNames& names_;
   const Store& store_;

@@ -45,15 +45,22 @@ class Planogram {
     }
   }
 
-  void read(const InputFile& file, const JsonCursor& section) {
-    const std::string text = file.read();
+  void read(const TableFile& table, const JsonCursor& section) {
+    const InputFile& file = table.file;
+    const std::string text = table.read(store_.warnings);
     CsvReader csv = planogram_reader(text, file.name());
     if (labels_.segments.empty()) {
       const FixtureColumns columns = read_fixture_columns(csv, file.name());
-      FixturePlaces places(columns, names_, store_, problems_);
+      FixturePlaces places(labels_, columns, names_, store_, problems_);
       read_records(csv, columns, places);
       add_labels(places.finish());
     } else {
+      for (const char* key : {"first_level", "from_top", "first_position"})
+        if (const auto given = section.find(key))
+          problems_.collect([&] {
+            given->fail("does not apply to segments",
+                        "remove it; use 'first_shelf' and 'from_top' of 'segments'");
+          });
       const std::size_t failures = problems_.failures();
       SegmentPlaces places(labels_.segments, section["segments"], names_, store_, problems_);
       const SegmentColumns columns = read_segment_columns(csv, file.name());
@@ -67,6 +74,7 @@ class Planogram {
   template <class Places>
   void read_records(CsvReader& csv, const PlanogramColumns& columns, Places& places) {
     SceneMemory memory(store_.memory);
+    if (labels_.fill_down) csv.fill_down(columns.repeated);
     while (csv.next()) {
       expect_running(store_.cancel);
       problems_.collect([&] {
@@ -133,7 +141,7 @@ void read_planogram(const JsonCursor& section, const StoreNames& names, const St
   if (!read_object(section, names, problems, [&](Fields& f) { labels.fields(f); })) return;
   Planogram planogram(labels, names, store, problems);
   if (const auto list = section.find("fixtures")) planogram.find_styles(*list);
-  planogram.read(folder.find(section["file"]), section);
+  planogram.read({folder.find(section["file"]), labels.encoding}, section);
 }
 
 }  // namespace shelfbeam

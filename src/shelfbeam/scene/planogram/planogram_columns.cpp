@@ -18,12 +18,11 @@ namespace {
 
 using ColumnNames = std::span<const std::string_view>;
 
-constexpr const char
-    *expected_by_fixture =
-        "the first line must have the columns article, fixture, face, level, and x or position",
-    *expected_by_segment =
-        "with 'segments' of the planogram, the first line must have the columns article, "
-        "segment, shelf and sequence";
+constexpr const char *
+    expected_by_fixture = "its header must have the columns article, fixture, face, level, and x or position",
+   *expected_by_segment =
+       "with 'segments' of the planogram, its header must have the columns article, segment, shelf and "
+       "sequence";
 constexpr auto known_columns = std::to_array<std::string_view>(
     {"article", "fixture", "face", "level", "x", "y", "position", "type", "hook", "tilt_deg"});
 
@@ -138,6 +137,7 @@ FixtureColumns read_fixture_columns(CsvReader& csv, std::string_view file) {
   columns.place = x ? *x : header.required("position");
   columns.y = header.optional("y");
   header.read_common(columns);
+  columns.repeated = {columns.fixture, columns.face, columns.level};
   for (const std::size_t k : {columns.fixture, columns.face, columns.level, columns.place})
     PlanogramHeader::require(columns, k);
   return columns;
@@ -154,6 +154,8 @@ SegmentColumns read_segment_columns(CsvReader& csv, std::string_view file) {
   columns.product_width = header.optional(width_names);
   columns.facings = header.optional(facings_names);
   header.read_common(columns);
+  if (columns.planogram) columns.repeated.push_back(*columns.planogram);
+  columns.repeated.insert(columns.repeated.end(), {columns.segment, columns.shelf});
   for (const std::size_t k :
        {columns.segment, columns.shelf, columns.sequence, columns.planogram.value_or(0)})
     PlanogramHeader::require(columns, k);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shelfbeam/base/csv.hpp"
 
@@ -14,6 +15,7 @@ struct PlanogramColumns {
   std::size_t article = 0;
   std::optional<std::size_t> type, hook, tilt_deg, description;
   std::size_t required = 0, width = 0;  ///< fewest and most fields of a record
+  std::vector<std::size_t> repeated;    ///< may be merged cells; each is a part of those before it
 };
 
 /// Of a file that names fixtures.

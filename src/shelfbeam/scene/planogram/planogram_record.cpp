@@ -46,10 +46,11 @@ void PlanogramRecord::read_mounting(OwnStyle& style, bool on_top) const {
   }
 }
 
-int PlanogramRecord::whole(std::size_t field, int most) const {
+int PlanogramRecord::whole(std::size_t field, int least, int most, std::string_view otherwise) const {
   const double value = csv_.number(field);
-  if (value != std::floor(value) || value < 1 || value > most)
-    csv_.fail(field, fmt::format("is {:g}", value), fmt::format("use a whole number from 1 to {}", most));
+  if (value != std::floor(value) || value < least || value > most)
+    csv_.fail(field, fmt::format("is {:g}", value),
+              fmt::format("use a whole number from {} to {}{}", least, most, value < least ? otherwise : ""));
   return static_cast<int>(value);
 }
 

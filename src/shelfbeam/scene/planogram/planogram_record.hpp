@@ -27,7 +27,8 @@ class PlanogramRecord {
   void read_type(OwnStyle& style) const;
   /// Reads hook and tilt. Labels on a top (`on_top`) have no edge and therefore no hook.
   void read_mounting(OwnStyle& style, bool on_top) const;
-  int whole(std::size_t field, int most) const;
+  /// `otherwise` continues the remedy for a value below the limits.
+  int whole(std::size_t field, int least, int most, std::string_view otherwise) const;
   /// A distance from 0 to the length of a side or a top.
   double distance(std::size_t field, double longest, std::string_view what) const;
 

@@ -62,9 +62,12 @@ void read_devices(const JsonCursor& list, const StoreNames& names, const Store& 
   });
 }
 
-InputFile csv_file(const JsonCursor& section, const StoreFolder& folder) {
-  section.expect_keys({"csv"});
-  return folder.find(section["csv"]);
+// The file of an object with the key "csv".
+TableFile csv_file(const JsonCursor& section, const StoreFolder& folder) {
+  section.expect_keys({"csv", "encoding"});
+  std::optional<Encoding> encoding;
+  if (const auto given = section.find("encoding")) encoding = given->choice<Encoding>();
+  return {folder.find(section["csv"]), encoding};
 }
 
 // The columns of a device CSV. `ours` continue them in the file that `plan` writes, which is always in
@@ -117,9 +120,10 @@ bool continues_with(const CsvReader& csv, std::size_t first, std::string_view he
 
 // Calls `use(record)` for each record of a CSV whose first columns are those of its header.
 template <class Use>
-void each_record(const InputFile& file, const Columns& known, Store& store, Problems* problems, Use use) {
+void each_record(const TableFile& table, const Columns& known, Store& store, Problems* problems, Use use) {
   const auto& [header, ours] = known;
-  const std::string text = file.read();
+  const InputFile& file = table.file;
+  const std::string text = table.read(store.warnings);
   CsvReader csv(text, file.name());
   const std::string expected = fmt::format("the first line must be {}", header);
   if (!csv.next()) throw InputError(file.name(), "is empty", expected);
@@ -184,7 +188,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   ids("selected", store.selected);
 }
 
-void read_labels_csv(const InputFile& file, const StoreNames& names, Store& store, Problems* problems) {
+void read_labels_csv(const TableFile& file, const StoreNames& names, Store& store, Problems* problems) {
   each_record(file, label_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Label label;
@@ -198,7 +202,7 @@ void read_labels_csv(const InputFile& file, const StoreNames& names, Store& stor
   });
 }
 
-void read_transceivers_csv(const InputFile& file, const StoreNames& names, Store& store, Problems* problems) {
+void read_transceivers_csv(const TableFile& file, const StoreNames& names, Store& store, Problems* problems) {
   each_record(file, unit_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Transceiver unit;

@@ -16,6 +16,7 @@
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/presets.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store/table_file.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/store_names.hpp"
 
@@ -113,12 +114,12 @@ StoreVariation read_variation(const JsonCursor& json, const StoreNames& names, c
 
 /// Reads labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
 /// With `problems`, collects those of all records.
-void read_labels_csv(const InputFile& file, const StoreNames& names, Store& store,
+void read_labels_csv(const TableFile& file, const StoreNames& names, Store& store,
                      Problems* problems = nullptr);
 
 /// Reads transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`. Further columns are
 /// ignored, so that placement.csv can be read back.
-void read_transceivers_csv(const InputFile& file, const StoreNames& names, Store& store,
+void read_transceivers_csv(const TableFile& file, const StoreNames& names, Store& store,
                            Problems* problems = nullptr);
 
 }  // namespace shelfbeam

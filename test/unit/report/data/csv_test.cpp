@@ -185,8 +185,8 @@ TEST(LabelsCsv, RestoresHostileNames) {
     Store again = store;
     again.labels.clear();
     again.transceivers.clear();
-    read_labels_csv(InputFile(labels), StoreNames(again), again);
-    read_transceivers_csv(InputFile(units), StoreNames(again), again);
+    read_labels_csv({InputFile(labels)}, StoreNames(again), again);
+    read_transceivers_csv({InputFile(units)}, StoreNames(again), again);
     ASSERT_EQ(again.labels.size(), scene.labels.size());
     for (std::size_t i = 0; i < scene.labels.size(); ++i)
       EXPECT_EQ(again.labels[i].value.id, scene.labels[i].id);

@@ -127,6 +127,7 @@ TEST(Description, SchemaIsUpToDate) {
   set("measuring_plane", MeasuringPlane{});
   set("variation", StoreVariation{});
   set("drawing", Drawing{});
+  schema["$defs"]["csv_file"]["properties"]["encoding"]["enum"] = all_names<Encoding>();
   schema["$defs"]["ignore"]["items"] = {{"enum", warning_names()}};
   schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
   schema["$defs"]["whole_fixture"] = {

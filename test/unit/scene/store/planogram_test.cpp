@@ -1,13 +1,16 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -155,6 +158,98 @@ TEST(Planogram, HasOtherLinesAboveItsColumnsAndUnitsInItsCells) {
   }
   folder.write("p.csv", "Shop\narticle;fixture;face;level;x\n1;A;front;1;25 kg\n");
   test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("p.csv: line 3, field 5"));
+}
+
+// The table of a spreadsheet, with the program's names of columns and words of faces.
+std::string field_table(const std::string& name) {
+  std::string text = read_file(std::string(SHELFBEAM_SOURCE_DIR "/test/data/field4/") + name);
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"EAN", "article"},
+                                                        {"Regal", "fixture"},
+                                                        {"Seite", "face"},
+                                                        {"Boden (von oben)", "level"},
+                                                        {"Boden", "level"},
+                                                        {"vorne", "front"}})
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  return text;
+}
+
+TEST(Planogram, CountsAsItsFileDoes) {
+  const TempFolder folder;
+  Json store = store_with("[]");
+  for (std::size_t f = 0; f < 3; ++f) {
+    Json gondola = Json::parse(
+        R"({"type": "gondola", "at": [5, 2], "length": 3, "depth": 0.9, "height": 1.8, "material": "steel",
+            "shelves": [0.4, 0.9, 1.4], "faces": ["front"]})");
+    gondola["id"] = "A" + std::to_string(f + 1);
+    gondola["at"][1] = 2 + 2 * f;
+    store["fixtures"].push_back(gondola);
+  }
+  store["labels"] = Json::array();
+  // `keys` of the planogram besides its file and type.
+  const auto labels = [&](const std::string& text, Json keys) {
+    folder.write("p.csv", text);
+    keys["file"] = "p.csv";
+    keys["type"] = "small";
+    store["planogram"] = std::move(keys);
+    std::vector<Vec3> places;
+    for (const Label& label : make_scene(read(store, folder.path())).labels) places.push_back(label.position);
+    return places;
+  };
+  const auto from_bottom = labels(
+      "article,fixture,face,level,position\n1,A1,front,3,1\n2,A1,front,2,1\n3,A1,front,1,1\n"
+      "4,A1,front,3,2\n5,A1,front,2,2\n6,A1,front,1,2\n",
+      Json::object());
+  const std::string from_top = field_table("boards_from_top.csv");
+  const auto first = [](const std::vector<Vec3>& all) { return std::vector(all.begin(), all.begin() + 6); };
+  EXPECT_EQ(first(labels(from_top, {{"from_top", true}})), from_bottom);
+  EXPECT_NE(first(labels(from_top, Json::object())), from_bottom);
+
+  const std::string merged = field_table("merged_cells.csv"), from_zero = field_table("places_from_zero.csv");
+  folder.write("p.csv", merged);
+  test::expect_input_error([&] { labels(merged, Json::object()); },
+                           std::string_view("p.csv: line 3, field 3: names the unknown fixture ''"),
+                           std::string_view("set 'fill_down' of 'planogram' if cells were merged"));
+  test::expect_input_error([&] { labels(from_zero, Json::object()); },
+                           std::string_view("use a whole number from 1 to 1000, or set 'first_position'"));
+  const auto filled = labels(merged, {{"fill_down", true}});
+  EXPECT_EQ(filled.size(), 18U);
+  const auto sorted = [](std::vector<Vec3> places) {
+    std::ranges::sort(places, {}, [](const Vec3& p) { return std::tuple(p.y, p.z, p.x); });
+    return places;
+  };
+  EXPECT_EQ(sorted(filled), sorted(labels(from_zero, {{"first_position", 0}})));
+
+  const std::string ground = "article,fixture,face,level,position\n1,A1,front,0,1\n2,A1,front,2,1\n";
+  test::expect_input_error([&] { labels(ground, Json::object()); },
+                           std::string_view("use a whole number from 1 to 3, or correct 'first_level'"));
+  const auto grounded = labels(ground, {{"first_level", 0}});
+  EXPECT_NEAR(grounded[0].z, 0.4, 1e-12);
+  EXPECT_NEAR(grounded[1].z, 1.4, 1e-12);
+  EXPECT_NEAR(labels(ground, {{"first_level", 0}, {"from_top", true}})[0].z, 1.4, 1e-12);
+}
+
+TEST(Planogram, NamesItsEncoding) {
+  const TempFolder folder;
+  Json store =
+      store_with(R"([{"type": "gondola", "id": "K\u00FChlregal", "at": [5, 5], "length": 3, "depth": 0.9,
+    "height": 1.8, "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"]}])");
+  store["labels"] = Json::array();
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
+  folder.write("p.csv", "article,fixture,face,level,x\n1,K\xFChlregal,front,1,0.5\n");
+  const auto warnings = [&] { return make_scene(read(store, folder.path())).warnings; };
+  const std::vector<Finding> guessed = warnings();
+  const auto found = std::ranges::find(guessed, FindingCode::text_encoding, &Finding::code);
+  ASSERT_NE(found, guessed.end());
+  EXPECT_EQ(found->values, (FindingValues{"windows-1252", "Kühlregal"}));
+  store["planogram"]["encoding"] = "windows-1252";
+  EXPECT_EQ(std::ranges::count(warnings(), FindingCode::text_encoding, &Finding::code), 0);
+  store["planogram"]["encoding"] = "windows-1251";
+  test::expect_input_error(warnings, std::string_view("names the unknown fixture 'Kьhlregal'"));
+  store["planogram"]["encoding"] = "shift_jis";
+  folder.write("p.csv", "article,fixture,face,level,x\n1,K\xFC\xFFhlregal,front,1,0.5\n");
+  test::expect_input_error(warnings, std::string_view("p.csv: is not UTF-8, nor shift_jis; "));
 }
 
 TEST(Planogram, LabelsHaveTheirTypeHookAndTilt) {
