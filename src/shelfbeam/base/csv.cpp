@@ -173,7 +173,7 @@ bool CsvReader::next() {
   return true;
 }
 
-void CsvReader::fill_down(std::vector<std::size_t> columns) {
+void CsvReader::fill_down(const std::vector<std::size_t>& columns) {
   merged_.clear();
   for (const std::size_t column : columns) merged_.emplace_back(column, "");
 }

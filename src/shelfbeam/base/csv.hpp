@@ -35,7 +35,7 @@ class CsvReader {
   bool next();
   /// From the next record on, empty fields of these columns repeat those of the record above, as merged cells
   /// of spreadsheets mean them. Each column is a part of those before it: a new value ends its repetition.
-  void fill_down(std::vector<std::size_t> columns);
+  void fill_down(const std::vector<std::size_t>& columns);
   /// The current record; valid until `next`.
   const std::vector<std::string_view>& fields() const { return fields_; }
   /// Throws InputError unless the record has `least` to `most` fields; further empty fields do not count.

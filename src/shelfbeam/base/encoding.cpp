@@ -64,11 +64,10 @@ struct Converted {
 // `is_part`: the last character may be cut off.
 Converted converted(std::string_view bytes, const char* from, bool is_part = false) {
   const iconv_t converter = iconv_open("UTF-8", from);
-  if (converter == iconv_t(-1))
-    return {std::string(replacement), false};  // NOLINT(performance-no-int-to-ptr)
+  if (reinterpret_cast<std::intptr_t>(converter) == -1) return {std::string(replacement), false};
   Converted result;
-  std::string rest(
-      bytes);  // iconv takes a pointer to characters that are not const, and leaves them as they are
+  // iconv leaves characters as they are, but takes them as not const.
+  std::string rest(bytes);
   char* in = rest.data();
   std::size_t left = rest.size();
   std::array<char, 4096> buffer{};
