@@ -1,5 +1,6 @@
-// Tests very small and very large scenes, and very weak and very strong units. Signals scale with the inverse
-// square of the size and in proportion to the power, and nothing else changes.
+// Tests very small and very large scenes, very weak and very strong units, and labels that measure in any
+// unit. Signals scale with the inverse square of the size and in proportion to power and response, and
+// nothing else changes.
 
 #include <cmath>
 
@@ -13,11 +14,11 @@ namespace shelfbeam::physics::extremes {
 namespace {
 
 struct Room {
-  double size = 1, power = 1;
+  double size = 1, power = 1, response = 1;
   bool has_mirror = false;  ///< its light reaches a few entries by rare paths, which do not affect z-tests
 
   // A room of 6 x 5 x 3 with a box, a disc, and labels with and without a size. Lengths are multiplied by
-  // `size`, intensities by `power`.
+  // `size`, intensities by `power`, responses by `response`.
   Scene scene() const {
     test::BareScene bare;
     const MaterialId paper = bare.material(Lambertian{0.6}), steel = bare.material(Conductor{2.5, 8, {}});
@@ -29,7 +30,11 @@ struct Room {
     bare.label(at(1.5, 1, 1.25), {0, 1, 0});
     bare.label(at(3, 1.5, 0.75), {0, -1, 0});
     bare.label(at(5, 4, 1.5), {-0.6, 0, 0.8}, CosineResponse{}, {0.0625 * size, 0.03125 * size});
-    for (LabelType& type : bare.scene.label_types) type.threshold = 0.02 * power / (size * size);
+    for (LabelType& type : bare.scene.label_types) {
+      type.threshold = 0.02 * power * response / (size * size);
+      if (response != 1)
+        type.responsivity = ResponseTable{{{0, 0.7, 1.4}, {0}, {response, 0.7 * response, 0.1 * response}}};
+    }
     return bare.scene;
   }
 };
@@ -99,6 +104,23 @@ TEST(Extremes, SignalsAreInProportionToThePower) {
     for (std::size_t e = 0; e < same.mean.size(); ++e)
       EXPECT_NEAR(weak.mean[e] / (1e-12 * same.mean[e]), 1, 1e-6);
   }
+}
+
+// Requirements are compared with light on surfaces, so units of measure must not enter: the same errors and
+// flags as at powers of two near 1e-6 and 1e6. The control has thresholds in another unit than its responses.
+TEST(Extremes, LabelsMeasureInAnyUnit) {
+  for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
+    const SignalMatrix ordinary = simulated(Room{.response = 0.5}.scene(), estimator);
+    for (const double factor : {std::ldexp(1.0, -20), std::ldexp(1.0, 10), std::ldexp(1.0, 20)}) {
+      const SignalMatrix matrix = simulated(Room{.response = 0.5 * factor}.scene(), estimator);
+      EXPECT_TRUE(is_times(matrix, factor, ordinary)) << factor;
+      EXPECT_EQ(matrix.flags, ordinary.flags) << factor;
+    }
+  }
+  Scene mixed = Room{.response = 512}.scene();
+  for (LabelType& type : mixed.label_types) type.threshold /= 1024;
+  EXPECT_FALSE(is_times(simulated(mixed, EstimatorKind::reuse), 1024,
+                        simulated(Room{.response = 0.5}.scene(), EstimatorKind::reuse)));
 }
 
 // One label, one unit and black walls: sin 2 theta cos / d^2, within the rounding of single precision.

@@ -13,6 +13,9 @@ namespace {
 double response(const CosineResponse&, double cos_theta) {
   return std::max(0.0, cos_theta);
 }
+double largest(const CosineResponse&) {
+  return 1;
+}
 double integral(const CosineResponse&) {
   return pi;
 }
@@ -28,6 +31,9 @@ detail::CosinePower lobe(const CosinePowerResponse& r) {
 double response(const CosinePowerResponse& r, double cos_theta) {
   return lobe(r).value(cos_theta);
 }
+double largest(const CosinePowerResponse&) {
+  return 1;
+}
 double integral(const CosinePowerResponse& r) {
   return lobe(r).integral();
 }
@@ -41,6 +47,9 @@ double response(const ResponseTable& r, double cos_theta) {
   return cos_theta > 0 ? r.response.value(std::acos(std::min(1.0, cos_theta)), 0) : 0;
 }
 
+double largest(const ResponseTable& r) {
+  return std::ranges::max(r.response.values());
+}
 double integral(const ResponseTable& r) {
   return r.response.integral();
 }
@@ -61,6 +70,10 @@ std::optional<DirectionSample> drawn(const ResponseTable& r, double u1, double u
 
 double response(const Responsivity& responsivity, double cos_theta) {
   return std::visit([&](const auto& r) { return response(r, cos_theta); }, responsivity);
+}
+
+double largest(const Responsivity& responsivity) {
+  return std::visit([](const auto& r) { return largest(r); }, responsivity);
 }
 
 double integral(const Responsivity& responsivity) {

@@ -39,6 +39,9 @@ using Responsivity = std::variant<CosineResponse, CosinePowerResponse, ResponseT
 /// R at the angle with this cosine.
 double response(const Responsivity& responsivity, double cos_theta);
 
+/// The largest R.
+double largest(const Responsivity& responsivity);
+
 /// The integral of R over the hemisphere, per solid angle: the signal in a field of radiance 1.
 double integral(const Responsivity& responsivity);
 

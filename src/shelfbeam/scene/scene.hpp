@@ -143,6 +143,12 @@ struct Scene {
     return type_of(label).requirement() / label.relative_sensitivity;
   }
 
+  /// The irradiance, W/m^2, that gives a label its requirement from the direction of its largest response.
+  /// Light on surfaces is measured by it, so that it does not matter in which unit a label measures.
+  double irradiance_for(const Label& label) const {
+    return requirement_of(label) / largest(type_of(label).responsivity);
+  }
+
   /// The number of inner walls among `fixtures`.
   std::size_t inner_walls() const {
     return static_cast<std::size_t>(std::count_if(fixtures.begin(), fixtures.end(),

@@ -36,8 +36,10 @@ struct PreviewError {
 
   float of_squares, of_mean, omitted;
 
-  float operator()(float squares, float mean, float requirement) const {
-    const float a = of_mean * mean, b = of_omitted * omitted, c = of_requirement * requirement;
+  // `response`: the label's largest.
+  float operator()(float squares, float mean, float requirement, double response) const {
+    const float a = of_mean * mean, b = of_omitted * omitted * static_cast<float>(response),
+                c = of_requirement * requirement;
     return std::sqrt(of_squares * squares + a * a + b * b + c * c);
   }
 };
@@ -155,7 +157,8 @@ Preview LightOperator::column(const Transceiver& unit) const {
         const std::uint32_t i = hits.labels[c];
         const auto requirement = static_cast<float>(world_.scene.requirement_of(world_.scene.labels[i]));
         preview.signal[i] = preview.direct[i] + light.resolved[c] + light.mean[c] + light.spots[c];
-        preview.error[i] = error(light.squares[c], light.mean[c], requirement);
+        preview.error[i] =
+            error(light.squares[c], light.mean[c], requirement, largest(world_.receivers.responsivity(i)));
         preview.doubts[i] = doubts | doubts_of(hits, c);
       }
     }

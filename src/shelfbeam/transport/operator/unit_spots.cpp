@@ -137,7 +137,7 @@ void UnitSpots::add_light(const LabelHits& hits, float requirement, float* sums)
       if (!(response > 0)) continue;
       const double value = light.intensity(probe_.scene, -seen->direction) * response /
                            std::max(near_squared, seen->distance_squared);
-      if (value < least) continue;
+      if (value < least * largest(probe_.receivers.responsivity(hits.labels[c]))) continue;
       which.push_back(c);
       targets.push_back(at);
       values.push_back(static_cast<float>(value));

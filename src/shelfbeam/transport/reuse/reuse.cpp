@@ -241,7 +241,7 @@ struct ReuseEstimator::Tables {
     if (j >= world.scene.transceivers.size()) return 1;
     const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
     const double most = static_cast<double>(units.peak(units.lane_index(j) / lanes)) / (away * away);
-    return most > little * world.scene.requirement_of(world.scene.labels[i]) ? 1 : seldom;
+    return most > little * world.scene.irradiance_for(world.scene.labels[i]) ? 1 : seldom;
   }
 
   const World& world;

@@ -61,6 +61,30 @@ TEST(LightOperator, IsLinearInThePower) {
     EXPECT_NEAR(quarter.signal[i], whole.signal[i] / 4, 2e-3F * whole.signal[i]) << i;
 }
 
+// As responses and thresholds are multiplied by a power of two, so are signals and stated errors. The unit is
+// beside a wall, so spots of light count; beyond a reach of 3 m, light is omitted.
+TEST(LightOperator, MeasuresInAnyUnit) {
+  const auto column = [](double factor) {
+    test::BareScene bare = room_with_box();
+    for (LabelType& type : bare.scene.label_types) {
+      type.threshold = 0.02 * factor;
+      type.responsivity = ResponseTable{{{0, 0.7, 1.4}, {0}, {factor, 0.7 * factor, 0.1 * factor}}};
+    }
+    const World world(bare.scene);
+    const LightOperator light(world, 1, {.label_rays = 64, .gather_rays = 8, .reach = 3});
+    return light.column(moved(bare.scene, 1, {0.1, 3.1, 2.6}));
+  };
+  const Preview ordinary = column(1);
+  for (const int exponent : {-20, 20}) {
+    const Preview other = column(std::ldexp(1.0, exponent));
+    for (std::size_t i = 0; i < ordinary.signal.size(); ++i) {
+      EXPECT_EQ(std::ldexp(other.signal[i], -exponent), ordinary.signal[i]) << i;
+      EXPECT_EQ(std::ldexp(other.error[i], -exponent), ordinary.error[i]) << i;
+    }
+    EXPECT_EQ(other.doubts, ordinary.doubts);
+  }
+}
+
 // A label with the cosine response and a unit that emits like a surface of power pi may change places.
 TEST(LightOperator, IsReciprocal) {
   const auto signal_with = [](const Vec3& label, const Vec3& label_normal, const Vec3& unit,
