@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -36,7 +38,8 @@ void export_matrix(const ExportArguments& options) {
   if (options.input.signals.size() > 1)
     throw InputError(options.input.signals[1].string(),
                      "is a second file, but a matrix is exported from one file", "export one file at a time");
-  const SignalMatrix matrix = read_signal_file(options.input.signals.front());
+  SignalMatrix matrix = read_signal_file(options.input.signals.front());
+  for (std::size_t e = 0; e < matrix.mean.size(); ++e) matrix.mean[e] = std::max(0.0F, matrix.mean[e]);
   const auto& values = options.what == "mean"     ? matrix.mean
                        : options.what == "direct" ? matrix.direct
                                                   : matrix.standard_error;

@@ -52,7 +52,7 @@ class Signals(Result):
         self.scene = scene
         #: Effort and errors of the simulation, with the keys that `shelfbeam simulate --json` prints.
         self.summary: dict[str, Any] = json.loads(summary) if summary else {}
-        self.mean: Layer = core.mean
+        self.mean: Layer = core.mean  #: near 0, noise may be negative; plans and exported matrices count it as 0
         self.standard_error: Layer = core.standard_error  #: of `mean`, from independent batches
         self.direct: Layer = core.direct  #: the part of `mean` without any reflection
         self.flags: NDArray[np.uint8] | None = core.flags  #: 1 if the standard error is not reliable

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -96,6 +97,11 @@ struct SignalMatrix {
   std::size_t columns() const { return transceivers.size(); }
   std::size_t at(std::size_t label, std::size_t transceiver) const { return label * columns() + transceiver; }
   bool is_flagged(std::size_t entry) const { return !flags.empty() && flags[entry] != 0; }
+  /// The signal that a label receives from a transceiver. Estimates that are negative because of noise count
+  /// as 0 in placements, reports and exported matrices; statistics use `mean`.
+  double signal(std::size_t label, std::size_t transceiver) const {
+    return std::max(0.0, static_cast<double>(mean[at(label, transceiver)]));
+  }
   std::span<const float> mean_row(std::size_t label) const {
     return std::span(mean).subspan(label * columns(), columns());
   }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "system/app/program.hpp"
 
@@ -172,6 +173,16 @@ TEST_F(Workflow, SimulateThenPlaceThenExport) {
   EXPECT_EQ(json("from_csv.json")["selected"], placement["selected"]);
   told("place @mean.npy --threshold 0.03 -o @from_npy.json");
   EXPECT_EQ(json("from_npy.json")["count"], placement["count"]);
+
+  // Noise below 0 is written as the 0 that `place` counts it as; it refuses negative signals of other
+  // programs.
+  SignalMatrix noisy = matrix;
+  noisy.mean[noisy.at(1, 0)] = -0.5F * noisy.standard_error[noisy.at(1, 0)];
+  ASSERT_LT(noisy.mean[noisy.at(1, 0)], 0);
+  write_signal_file(noisy, folder / "noisy.h5");
+  told("export @noisy.h5 -o @noisy.csv");
+  EXPECT_EQ(read_signal_table(folder / "noisy.csv").entries.size(),
+            make_signal_table(noisy, "noisy").entries.size());
 }
 
 TEST_F(Workflow, EveryProblemHasAPlacement) {

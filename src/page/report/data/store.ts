@@ -131,7 +131,6 @@ export async function readSignals(base64: string, store: Store): Promise<Signals
   }
   const grains = grain > 0 ? page.get("grains", Uint32Array) : null;
   const mean = grains ? meansOf(grains, grain, begin, store) : page.get("mean", Float32Array);
-  for (const at of page.get("negative", Uint32Array)) mean[at] *= -1;
   const details = (codes: Uint16Array, toValue: (code: number, at: number) => number) => {
     const values = new Float32Array(codes.length === 0 ? 0 : mean.length);
     for (let at = 0, next = 0; at < values.length; ++at)
@@ -144,7 +143,7 @@ export async function readSignals(base64: string, store: Store): Promise<Signals
     mean,
     // For rounded entries, errors are relative to the entry.
     error: details(page.get("error", Uint16Array), (code, at) =>
-      code === 0 ? 0 : leastError * Math.exp((code - 1) * errorStep) * (grains ? Math.abs(mean[at]) : 1),
+      code === 0 ? 0 : leastError * Math.exp((code - 1) * errorStep) * (grains ? mean[at] : 1),
     ),
     directShare: details(page.get("direct", Uint16Array), (code) => code * directStep),
     rest: page.get("rest", Float64Array),

@@ -12,8 +12,7 @@ ComparedPlan compared_plan(const SignalMatrix& matrix, CertifiedPlan plan, std::
   compared.signals.reserve(matrix.rows());
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     ReceivedSignal received(placement.problem);
-    for (const std::uint32_t column : placement.selected)
-      received.add(static_cast<double>(matrix.mean[matrix.at(i, column)]));
+    for (const std::uint32_t column : placement.selected) received.add(matrix.signal(i, column));
     compared.signals.push_back(received.value());
   }
   return compared;

@@ -13,9 +13,8 @@ namespace shelfbeam {
 namespace {
 
 std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t label) {
-  const auto row = matrix.mean_row(label);
   std::vector<SignalEntry> entries;
-  for (std::uint32_t j = 0; j < row.size(); ++j) entries.push_back({j, static_cast<double>(row[j])});
+  for (std::uint32_t j = 0; j < matrix.columns(); ++j) entries.push_back({j, matrix.signal(label, j)});
   return entries;
 }
 
@@ -28,7 +27,7 @@ bool depends_on_flagged(const SignalMatrix& matrix, const Placement& placement,
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
   double flagged = 0;
   for (const std::uint32_t column : placement.selected)
-    if (is_flagged(column)) flagged += static_cast<double>(matrix.mean[matrix.at(label, column)]);
+    if (is_flagged(column)) flagged += matrix.signal(label, column);
   if (!(flagged > min_flagged_share * requirement)) return false;
   std::vector<SignalEntry> entries = entries_of(matrix, label);
   std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
@@ -117,8 +116,7 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct_light;
     bool depends_on_one = false;
     for (UnitOutcome& unit : outcome.units) {
-      if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
-        ++unit.reaches_alone;
+      if (is_met(matrix.signal(i, unit.column), label.requirement)) ++unit.reaches_alone;
       if (label.strongest == unit.column) ++unit.strongest_for;
       chosen[unit.column] = false;
       if (label.met && !is_met(received_signal(entries, chosen, nothing_fails), label.requirement)) {

@@ -100,7 +100,7 @@ class Shifted {
 
  private:
   double signal(std::size_t label, std::size_t k) const {
-    const auto whole = static_cast<double>(matrix_.mean[matrix_.at(label, placement_.selected[k])]);
+    const double whole = matrix_.signal(label, placement_.selected[k]);
     if (losses_[k].empty()) return whole;
     return std::max(0.0, whole - loss(label, k, tolerances_[k]));
   }

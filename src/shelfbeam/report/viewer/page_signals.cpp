@@ -39,9 +39,7 @@ std::vector<double> requirements_of(const SignalMatrix& matrix) {
 }
 
 std::uint32_t grains_of(double mean, double need, std::uint32_t grains_per_requirement) {
-  const double share = std::min(std::abs(mean) / need, 1e5);
-  const auto grains = static_cast<std::uint32_t>(share * grains_per_requirement);
-  if (mean < 0) return grains;
+  const auto grains = static_cast<std::uint32_t>(std::min(mean / need, 1e5) * grains_per_requirement);
   return is_met(mean, need) ? std::max(grains, grains_per_requirement)
                             : std::min(grains, grains_per_requirement - 1);
 }
@@ -67,7 +65,7 @@ void encode_errors(PageSignals& signals, const std::vector<float>& errors, doubl
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const auto error = static_cast<double>(errors[k]);
     values.push_back(!signals.is_detailed(k) ? 0
-                     : signals.grain > 0     ? error / std::abs(static_cast<double>(signals.mean[k]))
+                     : signals.grain > 0     ? error / static_cast<double>(signals.mean[k])
                                              : error);
     if (values.back() <= 0) continue;
     low = std::min(low, values.back());
@@ -86,16 +84,16 @@ void encode_errors(PageSignals& signals, const std::vector<float>& errors, doubl
 }
 
 std::uint16_t share_code(double direct, double mean, double step) {
-  return mean > 0 ? static_cast<std::uint16_t>(std::lround(std::clamp(direct / mean, 0.0, 1.0) / step)) : 0;
+  return static_cast<std::uint16_t>(std::lround(std::clamp(direct / mean, 0.0, 1.0) / step));
 }
 
 // The signal from the exact entries of the chosen units minus the signal from their entries in the page.
-double rest_of(std::span<const float> row, std::span<const float> shown, const Placement& placement,
-               const std::vector<bool>& chosen) {
+double rest_of(const SignalMatrix& matrix, std::size_t label, std::span<const float> shown,
+               const Placement& placement, const std::vector<bool>& chosen) {
   std::vector<SignalEntry> all, kept;
-  for (std::uint32_t j = 0; j < row.size(); ++j) {
+  for (std::uint32_t j = 0; j < shown.size(); ++j) {
     if (!chosen[j]) continue;
-    all.push_back({j, static_cast<double>(row[j])});
+    all.push_back({j, matrix.signal(label, j)});
     kept.push_back({j, static_cast<double>(shown[j])});
   }
   return received_signal(all, chosen, placement.problem) - received_signal(kept, chosen, placement.problem);
@@ -107,7 +105,7 @@ std::vector<std::size_t> kept_entries(const SignalMatrix& matrix, const std::vec
   std::vector<std::size_t> kept(roundings.size(), 0);
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (const float mean : matrix.mean_row(i)) {
-      const double share = std::abs(static_cast<double>(mean)) / needs[i];
+      const double share = static_cast<double>(mean) / needs[i];
       if (share * roundings.front().grains_per_requirement < 1) continue;
       std::size_t k = 0;
       while (k + 1 < kept.size() && share * roundings[k + 1].grains_per_requirement >= 1) ++k;
@@ -133,7 +131,6 @@ PackedSignals packed(PageSignals signals) {
     data.add("grains", signals.grains);
   else
     data.add("mean", signals.mean);
-  data.add("negative", signals.negative);
   data.add("error", error);
   data.add("direct", direct);
   data.add("rest", signals.rest);
@@ -167,18 +164,14 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
     double effect = 0;
     for (std::uint32_t j = 0; j < row.size(); ++j) {
       shown[j] = 0;
-      if (row[j] == 0) continue;
+      if (row[j] <= 0) continue;
       const auto mean = static_cast<double>(row[j]);
-      const bool always = mean > 0 && (j == largest[0] || j == largest[1]);
+      const bool always = j == largest[0] || j == largest[1];
       const std::uint32_t grains = is_rounded ? grains_of(mean, needs[i], grains_per_requirement) : 1;
       if (grains == 0 && !always) {
         ++signals.omitted;
       } else {
-        shown[j] = is_rounded
-                       ? static_cast<float>(std::copysign((grains + 0.5) * signals.grain * needs[i], mean))
-                       : row[j];
-        if (is_rounded && mean < 0)
-          signals.negative.push_back(static_cast<std::uint32_t>(signals.mean.size()));
+        shown[j] = is_rounded ? static_cast<float>((grains + 0.5) * signals.grain * needs[i]) : row[j];
         ++size;
         signals.gap.push_back(j - next);
         next = j + 1;
@@ -195,7 +188,7 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
       effect = adds_up ? effect + off : std::max(effect, off);
     }
     signals.row_size.push_back(size);
-    if (is_rounded) signals.rest.push_back(rest_of(row, shown, placement, chosen));
+    if (is_rounded) signals.rest.push_back(rest_of(matrix, i, shown, placement, chosen));
     if (effect > signals.largest_effect) {
       signals.largest_effect = effect;
       signals.max_affected = static_cast<std::uint32_t>(i);
@@ -207,8 +200,8 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
 
 PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t max_bytes) {
   // A packed entry takes at least one byte, without rounding at least four.
-  const auto zeros = static_cast<std::size_t>(std::count(matrix.mean.begin(), matrix.mean.end(), 0.0F));
-  if (matrix.mean.size() - zeros <= max_bytes / 4) {
+  const auto entries = std::ranges::count_if(matrix.mean, [](float mean) { return mean > 0; });
+  if (static_cast<std::size_t>(entries) <= max_bytes / 4) {
     PackedSignals exact = packed(page_signals(matrix, placement));
     if (exact.base64.size() <= max_bytes) return exact;
   }

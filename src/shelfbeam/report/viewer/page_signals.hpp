@@ -21,7 +21,7 @@ struct Rounding {
 };
 
 /// The entries of a signal matrix in a page, row by row in the order of the columns, without entries that are
-/// zero.
+/// not above 0.
 ///
 /// If the page would be too large, entries are rounded by a grain of 1 / n of the label's requirement: an
 /// entry between k and k + 1 grains becomes k + 1/2 grains. Entries below one grain are omitted, except the
@@ -31,7 +31,6 @@ struct PageSignals {
   std::vector<std::uint32_t> gap;       ///< columns since the previous entry; first in a row: its column
   std::vector<float> mean;              ///< after rounding, as in the script of the page
   std::vector<std::uint32_t> grains;    ///< k of each entry; empty without rounding
-  std::vector<std::uint32_t> negative;  ///< rounded entries below 0 (from noise)
   /// Code of the standard error, accurate to half a step: 0 for none, otherwise min_error exp((code - 1)
   /// error_step), for rounded entries times |mean|. Empty without errors.
   std::vector<std::uint16_t> error;
@@ -43,7 +42,7 @@ struct PageSignals {
   /// The page contains the standard error and direct share of the entry.
   bool is_detailed(std::size_t entry) const { return grains.empty() || grains[entry] >= details_from; }
 
-  std::size_t omitted = 0;  ///< omitted entries that are not zero
+  std::size_t omitted = 0;  ///< omitted entries above 0
   /// Maximum error of one entry and of the sum over one label, as a share of its requirement; that label.
   double largest_error = 0, largest_effect = 0;
   std::uint32_t max_affected = 0;

@@ -75,8 +75,7 @@ std::vector<bool> chosen_of(const SignalMatrix& matrix, const Placement& placeme
 double whole_signal(const SignalMatrix& matrix, std::size_t label, const std::vector<bool>& chosen,
                     const PlacementProblem& problem) {
   std::vector<SignalEntry> row;
-  for (std::uint32_t j = 0; j < matrix.columns(); ++j)
-    row.push_back({j, static_cast<double>(matrix.mean[matrix.at(label, j)])});
+  for (std::uint32_t j = 0; j < matrix.columns(); ++j) row.push_back({j, matrix.signal(label, j)});
   return received_signal(row, chosen, problem);
 }
 
@@ -118,17 +117,17 @@ TEST(PageSignals, AreRoundedToAShareOfTheRequirement) {
       double of_label = 0;
       for (std::size_t j = 0; j < matrix.columns(); ++j) {
         const std::size_t at = matrix.at(i, j);
-        const auto mean = static_cast<double>(matrix.mean[at]), shown = static_cast<double>(dense.mean[at]);
+        const double mean = matrix.signal(i, j);
+        const auto shown = static_cast<double>(dense.mean[at]);
         const double off = std::abs(mean - shown) / need;
         // Units that reach a label alone still do, and no others.
         EXPECT_EQ(is_met(shown, need), is_met(mean, need)) << i << " " << j;
-        if (mean > 0 && is_met(std::round(mean / need * fineness) * grain * need, need) != is_met(mean, need))
-          ++crossing;
+        if (is_met(std::round(mean / need * fineness) * grain * need, need) != is_met(mean, need)) ++crossing;
         of_label += off;
         largest = std::max(largest, off);
         if (mean != 0 && shown == 0) {
           ++omitted;
-          EXPECT_LT(std::abs(mean) / need, grain);
+          EXPECT_LT(mean / need, grain);
           continue;
         }
         EXPECT_LE(off, 0.5 * grain * (1 + 1e-5));
