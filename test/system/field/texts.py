@@ -102,7 +102,7 @@ def read_as_without(change):
 
 
 def unnamed(encoding):
-    """The files whose encoding is not named."""
+    """The files whose encoding is not named; tables of a store with a mark are read."""
 
     def measure(scratch):
         write_files(scratch)
@@ -111,7 +111,11 @@ def unnamed(encoding):
             text = FILES[name]
             (scratch / name).write_bytes(text.encode(encoding))
             end = run(*command, folder=scratch)
-            if end.status != 2 or name not in end.err or "is UTF-16; save it as UTF-8" not in end.err:
+            if encoding == "utf-16" and name in ("labels.csv", "planogram.csv"):
+                is_right = succeeds(end)
+            else:
+                is_right = end.status == 2 and name in end.err and "is UTF-16; save it as UTF-8" in end.err
+            if not is_right:
                 wrong.append(f"{name}: {end}")
             (scratch / name).write_bytes(text.encode("utf-8"))
         return wrong
