@@ -92,16 +92,17 @@ function first(candidates: readonly Candidate[], pointer: Point): Candidate | nu
 /**
  * A held snap stays until the pointer is clearly out of its reach, clearly nearer to another one of its rank, or clearly
  * in the reach of one of a higher rank. The latter need not be the nearer one: no end of a line is nearer than the line.
+ * A pointer at the held place means it, although the lines that led there may be out of reach from it.
  */
 export function choose(
   candidates: readonly Candidate[],
   pointer: Point,
   reach: number,
   held?: Snapped,
-): Candidate | null {
+): Snapped | null {
+  if (held?.kind && distance(pointer, held.at) <= tolerance) return held;
   const ofHeld = held?.kind ? candidates.filter((one) => isSame(one, held) && one.strain <= 1 + hysteresis) : [];
   const kept = first(ofHeld, pointer);
-  if (kept && held && distance(pointer, held.at) <= tolerance) return kept;
   const joined = candidates.filter(
     ({ kind, at }) => (kind === "end" || kind === "close") && distance(at, pointer) <= joining,
   );

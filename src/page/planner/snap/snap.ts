@@ -3,7 +3,7 @@
 import type { Point } from "../document/messages";
 import { directionOf, distance, minus, plus, times, unitAt } from "../geometry/vector";
 import { candidatesAlong, candidatesOf } from "./candidates";
-import { choose, type Candidate, type Snapped } from "./choice";
+import { choose, type Snapped } from "./choice";
 import { nearestOf, tolerance, type Line } from "./lines";
 import { surroundingsOf } from "./pulls";
 import { fromOf, rayOf, type SnapRequest } from "./request";
@@ -53,7 +53,7 @@ const nothing = { near: [], lines: [], inferred: [] };
 
 const free = (at: Point): Snapped => ({ at, kind: null, guides: [] });
 
-const snapped = (found: Candidate | null, pointer: Point): Snapped =>
+const snapped = (found: Snapped | null, pointer: Point): Snapped =>
   found ? { at: found.at, kind: found.kind, guides: found.guides } : free(pointer);
 
 const nearlyStraight = 4; // degrees
