@@ -130,6 +130,58 @@ void print_errors(const PreviewErrors& errors) {
   }
 }
 
+void ShopErrors::Counts::operator+=(const Counts& other) {
+  all += other.all;
+  sure += other.sure;
+  inside += other.inside;
+  inside_if_wrong += other.inside_if_wrong;
+  error += other.error;
+  mean += other.mean;
+}
+
+void ShopErrors::Counts::print(std::string_view title) const {
+  fmt::print("    {:<26} {:>7.1f} {:>10.1f} {:>10.2f} {:>15.1f}\n", title, 100 * inside / sure,
+             100 * (1 - sure / all), 100 * error / mean, 100 * inside_if_wrong / sure);
+}
+
+void ShopErrors::add(const PreviewShop& shop, const std::vector<PlacedUnit>& units,
+                     const std::vector<Preview>& previews, const SignalMatrix& truth) {
+  std::array<Counts, unit_places.size()> counts;
+  for (std::size_t j = 0; j < units.size(); ++j)
+    for (std::size_t i = 0; i < shop.scene.labels.size(); ++i) {
+      Counts& of = counts[units[j].place];
+      ++of.all;
+      if (previews[j].doubts[i] != 0) continue;
+      const std::size_t e = i * truth.columns() + j;
+      const auto signal = static_cast<double>(previews[j].signal[i]),
+                 mean = static_cast<double>(truth.mean[e]);
+      const double allowed = within * std::hypot(static_cast<double>(previews[j].error[i]),
+                                                 static_cast<double>(truth.standard_error[e]));
+      ++of.sure;
+      of.inside += std::abs(signal - mean) <= allowed ? 1 : 0;
+      of.inside_if_wrong += std::abs(too_high * signal - mean) <= allowed ? 1 : 0;
+      of.error += signal - mean;
+      of.mean += mean;
+    }
+  if (by_place_.back().all == 0)
+    fmt::print("  {:<26} {:>7} {:>10} {:>10} {:>15}\n", "of the signals, %", "inside", "in doubt", "bias",
+               "inside if wrong");
+  Counts whole;
+  for (std::size_t place = 0; place < counts.size(); ++place) {
+    by_place_[place] += counts[place];
+    whole += counts[place];
+  }
+  by_place_.back() += whole;
+  fmt::print("  {}\n", shop.name);
+  for (std::size_t place = 0; place < counts.size(); ++place) counts[place].print(unit_places[place]);
+  whole.print("all");
+}
+
+void ShopErrors::print() {
+  fmt::print("  all shops\n");
+  for (std::size_t place = 0; place < by_place_.size(); ++place) by_place_[place].print(title_of(place));
+}
+
 void RefinementErrors::add(const UnitRefinement& refinement, const SignalMatrix& truth, std::size_t unit) {
   constexpr double too_high = 1.03, relevant = 0.1;
   double precise = 0;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
@@ -9,6 +10,7 @@
 #include "shelfbeam/transport/operator/preview.hpp"
 #include "shelfbeam/transport/operator/unit_refinement.hpp"
 
+#include "preview_shops.hpp"
 #include "random_units.hpp"
 
 namespace shelfbeam::bench {
@@ -37,6 +39,25 @@ struct PreviewErrors {
 PreviewErrors preview_errors(const Scene& scene, const std::vector<PlacedUnit>& units,
                              const std::vector<Preview>& previews, const SignalMatrix& truth);
 void print_errors(const PreviewErrors& errors);
+
+/// How often stated errors hold in some shops, for signals without doubt.
+class ShopErrors {
+ public:
+  void add(const PreviewShop& shop, const std::vector<PlacedUnit>& units,
+           const std::vector<Preview>& previews, const SignalMatrix& truth);
+  void print();
+
+ private:
+  struct Counts {
+    double all = 0, sure = 0, inside = 0, inside_if_wrong = 0, error = 0, mean = 0;
+
+    void operator+=(const Counts& other);
+    void print(std::string_view title) const;
+  };
+  static constexpr double too_high = 1.15;
+
+  std::array<Counts, unit_places.size() + 1> by_place_;
+};
 
 /// Errors of refined columns.
 class RefinementErrors {

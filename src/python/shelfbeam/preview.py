@@ -27,7 +27,7 @@ class Column(NamedTuple):
     signal: NDArray[np.float32]
     direct: NDArray[np.float32]  #: the part without a reflection
     error: NDArray[np.float32]  #: 95 % of the truths are within 1.96 errors
-    doubts: NDArray[np.uint8]  #: bits: 1 near a surface, 2 mirrors, 4 unexplored surfaces, 8 skewed
+    doubts: NDArray[np.uint8]  #: bits: 1 near a surface, 2 mirrors, 4 unexplored surfaces, 8 skewed, 16 gap
 
 
 class LightOperator:

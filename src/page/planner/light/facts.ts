@@ -58,8 +58,9 @@ export function sourceText({ light }: Planner): string {
 }
 
 function doubtText(doubts: number): string {
-  const names = [text.light.doubts.near_surface, text.light.doubts.mirrors, text.light.doubts.unexplored];
-  return [...names, text.light.doubts.skewed].filter((_, bit) => doubts & (1 << bit)).join(", ");
+  const { near_surface, mirrors, unexplored, skewed, narrow } = text.light.doubts;
+  const names = [near_surface, mirrors, unexplored, skewed, narrow];
+  return names.filter((_, bit) => doubts & (1 << bit)).join(", ");
 }
 
 export function lightFacts(planner: Planner, label: number): Fact[] {

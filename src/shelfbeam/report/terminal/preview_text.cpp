@@ -33,6 +33,8 @@ std::string_view reason_of(Doubt doubt) {
       return "light from surfaces that were not explored";
     case Doubt::skewed:
       return "bright light on few paths; refine longer";
+    case Doubt::narrow:
+      return "in a gap of less than half a metre";
   }
   return {};
 }

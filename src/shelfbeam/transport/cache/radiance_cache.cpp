@@ -12,13 +12,21 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/transport/cache/geometric_tail.hpp"
 #include "shelfbeam/transport/cells/cell_grid.hpp"
 #include "shelfbeam/transport/cells/surface_cells.hpp"
 
 namespace shelfbeam {
 
 namespace {
+
+// All further rounds of a Jacobi iteration as a geometric series: the factor by which the last increment is
+// added once more, from the sums of light after the last three rounds.
+float geometric_tail(const std::array<double, 3>& totals) {
+  constexpr double max_ratio = 0.995;
+  const double before = totals[1] - totals[0], last = totals[2] - totals[1];
+  const double ratio = before > 0 ? std::clamp(last / before, 0.0, max_ratio) : 0;
+  return static_cast<float>(ratio / (1 - ratio));
+}
 
 using detail::CellLight;
 
@@ -151,7 +159,7 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const SurfaceLinks& l
     totals = {totals[1], totals[2], std::accumulate(of_cell.begin(), of_cell.end(), 0.0)};
     control.report(Task::preparing, 0.6 + 0.4 * (round + 1) / rounds);
   }
-  const float further = detail::geometric_tail(totals);
+  const float further = geometric_tail(totals);
   indirect_ = std::move(whole);
   for (std::size_t k = 0; k < indirect_.size(); ++k) {
     const float now = PackedLane::value(indirect_[k]);

@@ -98,7 +98,8 @@ void store(std::vector<SharedPoint> points, LabelHits& hits) {
 
 }  // namespace
 
-LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const std::vector<LabelId>& labels,
+LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes,
+                          const std::vector<std::uint8_t>& narrow, const std::vector<LabelId>& labels,
                           const RayTargets& targets, std::uint32_t rays_each, std::uint64_t seed,
                           const RunControl& control) {
   LabelHits hits;
@@ -112,7 +113,7 @@ LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const s
   }
   hits.enclose(world);
   std::vector<SharedPoint> points;
-  std::vector<double> all(count), unknown(count), bent(count);
+  std::vector<double> all(count), unknown(count), bent(count), narrow_share(count);
   Sharing sharing;
   std::uint64_t rays = 0;
   for (std::uint32_t c = 0; c < count && !control.cancelled(); ++c) {
@@ -138,6 +139,7 @@ LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const s
           if (is_end_of_ray) unknown[c] += share;
           return;
         }
+        if (is_end_of_ray && narrow[cell] != 0) narrow_share[c] += share;
         const auto quadrant = CellGrid::quadrant(end.point);
         const double exit = guide.is_detailed() ? guide.exit(dot(end.point.normal, end.outgoing)) : 1;
         if (guide.has_base() && guide.base_albedo() > 0) {
@@ -183,6 +185,7 @@ LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const s
   for (std::size_t c = 0; c < count; ++c) {
     hits.unknown.push_back(all[c] > 0 ? static_cast<float>(unknown[c] / all[c]) : 0);
     hits.bent.push_back(all[c] > 0 ? static_cast<float>(bent[c] / all[c]) : 0);
+    hits.narrow.push_back(all[c] > 0 ? static_cast<float>(narrow_share[c] / all[c]) : 0);
   }
   return hits;
 }
@@ -190,7 +193,7 @@ LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const s
 std::size_t LabelHits::bytes() const {
   return points.bytes() + weights.bytes() + sums.bytes() + blocks.size() * sizeof(Block) +
          material.size() * sizeof(material[0]) + lobes.size() * sizeof(Lobe) +
-         labels.size() * (sizeof(labels[0]) + sizeof(unknown[0]) + sizeof(bent[0]));
+         labels.size() * (sizeof(labels[0]) + 3 * sizeof(unknown[0]));
 }
 
 bool LabelHits::fit(const Scene& scene, std::size_t cells) const {
@@ -204,7 +207,7 @@ bool LabelHits::fit(const Scene& scene, std::size_t cells) const {
       points.z.size() != count || points.nx.size() != count || points.ny.size() != count ||
       points.nz.size() != count || points.triangles.size() != count ||
       labels.size() > LabelRows::max_labels || unknown.size() != labels.size() ||
-      bent.size() != labels.size() || !sums.fit() || !weights.fit())
+      bent.size() != labels.size() || narrow.size() != labels.size() || !sums.fit() || !weights.fit())
     return false;
   return std::is_sorted(blocks.begin(), blocks.end(), by_point) &&
          all(std::span(blocks).first(blocks.size() - 1), [&](const Block& b) { return b.cell < cells; }) &&

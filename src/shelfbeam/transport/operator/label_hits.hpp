@@ -44,6 +44,7 @@ struct LabelHits {
   std::vector<Lobe> lobes;
   std::vector<float> unknown;  ///< by label: the share of its rays that meet surfaces without a cell
   std::vector<float> bent;     ///< by label: the share that meet mirrors, glass or metal
+  std::vector<float> narrow;   ///< by label: the share that meet cells wider than the way before them
 
   std::size_t bytes() const;
   /// Calls use(vector) for everything that a file needs.
@@ -58,6 +59,7 @@ struct LabelHits {
     use(hits.lobes);
     use(hits.unknown);
     use(hits.bent);
+    use(hits.narrow);
   }
   /// Whether the parts are those of labels of a scene, and refer to this number of cells.
   bool fit(const Scene& scene, std::size_t cells) const;
@@ -66,8 +68,9 @@ struct LabelHits {
 };
 
 /// Traces `rays` from each label of a cluster (cluster_labels), and further ones to targets in view. Ends
-/// early when cancelled.
-LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const std::vector<LabelId>& labels,
+/// early when cancelled. `narrow`: SurfaceNodes::narrow_cells.
+LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes,
+                          const std::vector<std::uint8_t>& narrow, const std::vector<LabelId>& labels,
                           const RayTargets& targets, std::uint32_t rays, std::uint64_t seed,
                           const RunControl& control);
 

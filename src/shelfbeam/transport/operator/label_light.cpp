@@ -1,6 +1,9 @@
 #include "shelfbeam/transport/operator/label_light.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
 
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -44,6 +47,7 @@ void LabelLightSum::sort_blocks(const LabelHits& hits, const LitShop& shop) {
   blocks_.clear();
   block_values_.clear();
   points_.clear();
+  block_ends_.clear();
   point_values_.clear();
   asked_.clear();
   targets_.clear();
@@ -78,6 +82,7 @@ void LabelLightSum::sort_blocks(const LabelHits& hits, const LitShop& shop) {
       points_.push_back(p);
       point_values_.push_back(capped(shop, irradiance_[k]));
     }
+    block_ends_.push_back(points_.size());
   }
 }
 
@@ -85,22 +90,32 @@ void LabelLightSum::add_points(const LabelHits& hits, const LitShop& shop) {
   shares_.resize(targets_.size());
   shop.world.rays.shares(shop.beam.source(), targets_, shares_);
   for (std::size_t a = 0; a < asked_.size(); ++a) point_values_[asked_[a]] *= shares_[a];
-  std::size_t kept = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    if (point_values_[k] == 0) continue;
-    float value = point_values_[k];
     const SurfaceGuide& guide = shop.guides[hits.material[points_[k]]];
-    if (guide.is_detailed()) {
-      const SurfacePoint point = hits.points.at(points_[k]);
-      const double cosine = dot(point.normal, normalized(shop.beam.position() - point.position));
-      value *= static_cast<float>(guide.base(cosine) * pi / guide.base_albedo());
-    }
-    points_[kept] = points_[k];
-    point_values_[kept++] = value;
+    if (point_values_[k] == 0 || !guide.is_detailed()) continue;
+    const SurfacePoint point = hits.points.at(points_[k]);
+    const double cosine = dot(point.normal, normalized(shop.beam.position() - point.position));
+    point_values_[k] *= static_cast<float>(guide.base(cosine) * pi / guide.base_albedo());
   }
-  points_.resize(kept);
-  point_values_.resize(kept);
-  hits.weights.add_to(points_, point_values_, light_.resolved.data(), light_.squares.data());
+  find_deviations();
+  hits.weights.add_to(points_, point_values_, deviations_, light_.resolved.data(), light_.squares.data());
+}
+
+// Rays from labels are spread evenly, so an error comes from differences between the points in a cell: those
+// from their mean, as if they were independent.
+void LabelLightSum::find_deviations() {
+  deviations_ = point_values_;
+  std::size_t begin = 0;
+  for (const std::size_t end : block_ends_) {
+    const auto count = static_cast<float>(end - begin);
+    if (count > 1) {
+      const std::span values = std::span(deviations_).subspan(begin, end - begin);
+      const float mean = std::accumulate(values.begin(), values.end(), 0.0F) / count,
+                  scale = std::sqrt(count / (count - 1));
+      for (float& value : values) value = scale * (value - mean);
+    }
+    begin = end;
+  }
 }
 
 // Highlights, and surfaces without a base: weak light counts as indirect.

@@ -12,7 +12,7 @@ namespace shelfbeam {
 /// that differ in their errors.
 struct LabelLight {
   std::vector<float> resolved;  ///< by one bounce, from points with shadow rays
-  std::vector<float> squares;   ///< of the contributions of these points
+  std::vector<float> squares;   ///< of these contributions less their means by cell
   std::vector<float> mean;      ///< from the mean light of cells
   std::vector<float> spots;     ///< from bright spots
 };
@@ -36,12 +36,14 @@ class LabelLightSum {
  private:
   void sort_blocks(const LabelHits& hits, const LitShop& shop);
   void add_points(const LabelHits& hits, const LitShop& shop);
+  void find_deviations();
   void add_lobes(const LabelHits& hits, const LitShop& shop);
 
   LabelLight light_;
   std::vector<std::uint32_t> blocks_, points_;  // with the values below
-  std::vector<float> block_values_, point_values_, irradiance_, shares_;
-  std::vector<std::uint32_t> asked_;  // indices into points_
+  std::vector<float> block_values_, point_values_, deviations_, irradiance_, shares_;
+  std::vector<std::size_t> block_ends_;  // in points_, of blocks with points
+  std::vector<std::uint32_t> asked_;     // indices into points_
   std::vector<RayEnd> targets_;
 };
 

@@ -35,14 +35,15 @@ class LabelRows {
     masks_.push_back(mask);
   }
 
-  /// sums[c] += weight[c] value for each of the rows and its value; with `squares`, also the squares of these
-  /// terms. Both have max_labels elements.
+  /// sums[c] += weight[c] value for each of the rows and its value; squares[c] += (weight[c] deviation)^2
+  /// with its deviation. Both sums have max_labels elements.
   void add_to(std::span<const std::uint32_t> rows, std::span<const float> values, float* sums) const {
     OperatorKernels::add_rows(pointers(), rows.data(), values.data(), rows.size(), sums);
   }
-  void add_to(std::span<const std::uint32_t> rows, std::span<const float> values, float* sums,
-              float* squares) const {
-    OperatorKernels::add_rows(pointers(), rows.data(), values.data(), rows.size(), sums, squares);
+  void add_to(std::span<const std::uint32_t> rows, std::span<const float> values,
+              std::span<const float> deviations, float* sums, float* squares) const {
+    OperatorKernels::add_rows(pointers(), rows.data(), values.data(), deviations.data(), rows.size(), sums,
+                              squares);
   }
 
   /// Calls use(vector) for everything that a file needs.

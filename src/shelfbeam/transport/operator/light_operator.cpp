@@ -11,6 +11,7 @@
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/cache/smallest_requirement.hpp"
+#include "shelfbeam/transport/operator/common_errors.hpp"
 #include "shelfbeam/transport/operator/label_light.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 #include "shelfbeam/transport/world/label_clusters.hpp"
@@ -23,25 +24,31 @@ std::uint64_t stream_of(std::uint64_t seed) {
   return mix_key(seed, hash64("light operator"));
 }
 
-// The standard error of a preview: of the quadrature by points, as of independent points, of the mean light
-// of cells, of light from beyond the reach, and a rest. docs/methods/light_operator.md has the comparison
-// that gives the factors.
-struct PreviewError {
-  static constexpr float of_omitted = 1.8F, of_requirement = 0.0033F;
+// The standard error of a preview: of the quadrature by points; of the mean light of cells, by itself, by the
+// links (common_errors) and by the straight light; of light from spots and from beyond the reach; and a rest.
+// docs/methods/light_operator.md has the comparison that gives the factors.
+class PreviewError {
+ public:
+  PreviewError(const OperatorEffort& effort, const SurfaceField& field)
+      : of_squares_(1.6F + 24 / static_cast<float>(effort.label_rays)),
+        of_mean_(0.011F * std::sqrt(256 / static_cast<float>(effort.label_rays))),
+        of_flux_(1.4F * field.flux_error),
+        omitted_(1.8F * field.omitted) {}
 
-  PreviewError(const OperatorEffort& effort, float o)
-      : of_squares(1 + 24 / static_cast<float>(effort.label_rays)),
-        of_mean(0.027F * std::sqrt(12 * 256 / static_cast<float>(effort.gather_rays * effort.label_rays))),
-        omitted(o) {}
-
-  float of_squares, of_mean, omitted;
-
-  // `response`: the label's largest.
-  float operator()(float squares, float mean, float requirement, double response) const {
-    const float a = of_mean * mean, b = of_omitted * omitted * static_cast<float>(response),
-                c = of_requirement * requirement;
-    return std::sqrt(of_squares * squares + a * a + b * b + c * c);
+  // Of the label c of a cluster. `common`: the cluster's common error; `response`: the label's largest.
+  float operator()(const LabelLight& light, std::size_t c, float common, float requirement,
+                   double response) const {
+    constexpr float of_spots = 0.4F, of_requirement = 0.0026F;
+    const float cells = light.mean[c] * light.mean[c] *
+                        (of_mean_ * of_mean_ + of_flux_ * of_flux_ + 1.55F * common * common),
+                spots = of_spots * light.spots[c], omitted = omitted_ * static_cast<float>(response),
+                rest = of_requirement * requirement;
+    return std::sqrt(of_squares_ * light.squares[c] + cells + spots * spots + omitted * omitted +
+                     rest * rest);
   }
+
+ private:
+  float of_squares_, of_mean_, of_flux_, omitted_;
 };
 
 std::vector<float> direct_signals(const World& probe, std::uint64_t stream) {
@@ -78,10 +85,11 @@ std::uint8_t doubts_of(const UnitSurvey& survey) {
 
 // Doubts about a label.
 std::uint8_t doubts_of(const LabelHits& hits, std::size_t c) {
-  constexpr float much = 0.1F, some = 0.05F;  // of the label's rays
+  constexpr float most = 0.5F, much = 0.1F, some = 0.05F;  // of the label's rays
   unsigned doubts = 0;
   if (hits.bent[c] > some) doubts |= static_cast<unsigned>(Doubt::mirrors);
   if (hits.unknown[c] > much) doubts |= static_cast<unsigned>(Doubt::unexplored);
+  if (hits.narrow[c] > most) doubts |= static_cast<unsigned>(Doubt::narrow);
   return static_cast<std::uint8_t>(doubts);
 }
 
@@ -107,18 +115,20 @@ LightOperator::LightOperator(const World& world, std::uint64_t seed, const Opera
       cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), LabelRows::max_labels);
   clusters_.resize(clusters.size());
   const RayTargets targets(world.scene);
+  const std::vector<std::uint8_t> narrow = nodes_.narrow_cells(world);
   constexpr std::size_t at_once = 16;
   for (std::size_t begin = 0; begin < clusters.size(); begin += at_once) {
     constexpr double surfaces = 0.3;  // share of the time
     control.report(Task::preparing, surfaces + (1 - surfaces) * static_cast<double>(begin) /
                                                    static_cast<double>(clusters.size()));
     for_each_task(std::min(at_once, clusters.size() - begin), [&](std::size_t k) {
-      clusters_[begin + k] =
-          find_label_hits(world, nodes_, clusters[begin + k], targets, effort.label_rays, stream_, control);
+      clusters_[begin + k] = find_label_hits(world, nodes_, narrow, clusters[begin + k], targets,
+                                             effort.label_rays, stream_, control);
     });
     if (control.cancelled()) throw Interrupted("the light of the shop was not computed completely");
   }
   mark_seen();
+  common_errors_ = common_errors(world, nodes_, clusters_, mix_key(stream_, hash64("common errors")));
 }
 
 void LightOperator::mark_seen() {
@@ -148,17 +158,18 @@ Preview LightOperator::column(const Transceiver& unit) const {
   SurfaceField field = nodes_.light(probe, beam, spots.cap(), requirement_, effort_.reach);
   nodes_.bounce(spots.light(nodes_, requirement_), field);
   const LitShop shop{probe, nodes_.guides(), beam, field, spots, requirement_};
-  const PreviewError error(effort_, field.omitted);
+  const PreviewError error(effort_, field);
   parallel_for_ranges(clusters_.size(), [&](std::size_t begin, std::size_t end) {
     LabelLightSum sum;
-    for (const LabelHits& hits : std::span(clusters_).subspan(begin, end - begin)) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const LabelHits& hits = clusters_[k];
       const LabelLight& light = sum.of(hits, shop);
       for (std::size_t c = 0; c < hits.labels.size(); ++c) {
         const std::uint32_t i = hits.labels[c];
         const auto requirement = static_cast<float>(world_.scene.requirement_of(world_.scene.labels[i]));
         preview.signal[i] = preview.direct[i] + light.resolved[c] + light.mean[c] + light.spots[c];
         preview.error[i] =
-            error(light.squares[c], light.mean[c], requirement, largest(world_.receivers.responsivity(i)));
+            error(light, c, common_errors_[k], requirement, largest(world_.receivers.responsivity(i)));
         preview.doubts[i] = doubts | doubts_of(hits, c);
       }
     }

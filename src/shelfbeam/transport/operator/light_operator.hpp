@@ -92,7 +92,8 @@ class LightOperator {
   float requirement_;
   SurfaceNodes nodes_;
   std::vector<LabelHits> clusters_;
-  std::vector<std::uint8_t> seen_;  // by cell: whether rays from labels meet it
+  std::vector<float> common_errors_;  // by cluster
+  std::vector<std::uint8_t> seen_;    // by cell: whether rays from labels meet it
 };
 
 }  // namespace shelfbeam

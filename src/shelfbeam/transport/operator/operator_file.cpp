@@ -24,7 +24,7 @@ using detail::RecordReader;
 using detail::RecordWriter;
 using detail::SurfaceCells;
 
-constexpr std::string_view operator_line = "shelfbeam light operator 2\n";
+constexpr std::string_view operator_line = "shelfbeam light operator 3\n";
 
 // Writes a record for each vector.
 struct WriteVector {
@@ -93,6 +93,7 @@ void LightOperator::save(const std::filesystem::path& path) const {
   const std::vector<std::uint64_t> count{clusters_.size()};
   write(count);
   for (const LabelHits& hits : clusters_) LabelHits::each_part(hits, write);
+  write(common_errors_);
   file.flush();
   target.commit();
 }
@@ -127,6 +128,8 @@ std::optional<LightOperator> LightOperator::load(const std::filesystem::path& pa
     hits.enclose(world);
     for (const LabelId i : hits.labels) times[i] += 1;
   }
+  read(result.common_errors_);
+  if (result.common_errors_.size() != result.clusters_.size()) file.fail();
   if (std::any_of(times.begin(), times.end(), [](std::uint32_t k) { return k != 1; })) file.fail();
   result.mark_seen();
   return result;

@@ -18,21 +18,26 @@ SHELFBEAM_INLINE inline void light(const OperatorKernels::Unit& unit, const Oper
 
 template <bool with_squares>
 SHELFBEAM_INLINE inline void add(const OperatorKernels::Rows& all, const std::uint32_t* rows,
-                                 const float* values, std::size_t count, float* sums, float* squares) {
+                                 const float* values, const float* deviations, std::size_t count, float* sums,
+                                 float* squares) {
   constexpr std::size_t group = OperatorKernels::group;
   for (std::size_t k = 0; k < count; ++k) {
     const std::uint16_t* weights = all.weights + std::size_t{all.first[rows[k]]} * group;
     const unsigned mask = all.masks[rows[k]];
     const float value = values[k];
+    const float deviation = with_squares ? deviations[k] : 0;
     for (std::size_t g = 0; g < OperatorKernels::max_groups; ++g) {
       if ((mask >> g & 1U) == 0) continue;
       float* const sum = sums + g * group;
       float* const square = squares + g * group;
       SHELFBEAM_VECTORIZE
       for (std::size_t c = 0; c < group; ++c) {
-        const float term = PackedLane::value(weights[c]) * value;
-        sum[c] += term;
-        if constexpr (with_squares) square[c] += term * term;
+        const float weight = PackedLane::value(weights[c]);
+        sum[c] += weight * value;
+        if constexpr (with_squares) {
+          const float term = weight * deviation;
+          square[c] += term * term;
+        }
       }
       weights += group;
     }
@@ -56,13 +61,13 @@ void OperatorKernels::irradiance(const Unit& unit, const Points& points, std::si
 SHELFBEAM_FOR_EACH_CPU
 void OperatorKernels::add_rows(const Rows& all, const std::uint32_t* rows, const float* values,
                                std::size_t count, float* sums) {
-  add<false>(all, rows, values, count, sums, sums);
+  add<false>(all, rows, values, nullptr, count, sums, sums);
 }
 
 SHELFBEAM_FOR_EACH_CPU
 void OperatorKernels::add_rows(const Rows& all, const std::uint32_t* rows, const float* values,
-                               std::size_t count, float* sums, float* squares) {
-  add<true>(all, rows, values, count, sums, squares);
+                               const float* deviations, std::size_t count, float* sums, float* squares) {
+  add<true>(all, rows, values, deviations, count, sums, squares);
 }
 
 }  // namespace shelfbeam

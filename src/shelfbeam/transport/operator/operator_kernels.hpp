@@ -30,8 +30,8 @@ struct OperatorKernels {
   /// LabelRows::add_to.
   static void add_rows(const Rows& all, const std::uint32_t* rows, const float* values, std::size_t count,
                        float* sums);
-  static void add_rows(const Rows& all, const std::uint32_t* rows, const float* values, std::size_t count,
-                       float* sums, float* squares);
+  static void add_rows(const Rows& all, const std::uint32_t* rows, const float* values,
+                       const float* deviations, std::size_t count, float* sums, float* squares);
 };
 
 }  // namespace shelfbeam

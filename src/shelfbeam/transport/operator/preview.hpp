@@ -13,13 +13,15 @@ enum class Doubt : std::uint8_t {
   near_surface = 1,  ///< the unit is within a hand's breadth of a surface
   mirrors = 2,       ///< much of the light meets mirrors, metal or clear glass
   unexplored = 4,    ///< the unit lights surfaces that no walk has met
-  skewed = 8         ///< of a refinement: few batches give most of the spread (PowerSums)
+  skewed = 8,        ///< of a refinement: few batches give most of the spread (PowerSums)
+  narrow = 16        ///< most rays of the label meet surfaces with less space before them than cells are wide
 };
 template <>
 inline constexpr auto names_of<Doubt> = std::to_array<Named<Doubt>>({{"near_surface", Doubt::near_surface},
                                                                      {"mirrors", Doubt::mirrors},
                                                                      {"unexplored", Doubt::unexplored},
-                                                                     {"skewed", Doubt::skewed}});
+                                                                     {"skewed", Doubt::skewed},
+                                                                     {"narrow", Doubt::narrow}});
 
 /// The signals of all labels from one unit, in the signal's unit of measure: an approximation with a standard
 /// error per label, never a result.

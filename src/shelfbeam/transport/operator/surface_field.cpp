@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/transport/cache/geometric_tail.hpp"
+#include "shelfbeam/math/order.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/transport/cells/cell_grid.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 using detail::SurfaceCells;
-
-// Pairs of rounds: at least, at most, and the share of the last pair in the light from which more follow.
-constexpr int min_pairs = 3, max_pairs = 24;
-constexpr double much = 0.15;
 
 std::size_t first_node(std::size_t cell) {
   return cell * SurfaceCells::quadrants;
@@ -60,6 +59,25 @@ SurfaceNodes::SurfaceNodes(std::shared_ptr<const SurfaceCells> cells, std::array
       points_.add(point);
   }
   first_point_.push_back(static_cast<std::uint32_t>(points_.size()));
+  choose_rounds();
+}
+
+std::vector<std::uint8_t> SurfaceNodes::narrow_cells(const World& world) const {
+  std::vector<std::uint8_t> narrow(cells_->size());
+  parallel_for_ranges(narrow.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      int near = 0, count = 0;
+      for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node) {
+        if (!has_points(node)) continue;
+        const SurfacePoint point = points_.at(first_point(node));
+        const auto hit = world.rays.intersect(point, point.normal);
+        near += hit && hit->distance(point.position, point.normal) < detail::CellGrid::size ? 1 : 0;
+        ++count;
+      }
+      narrow[cell] = 2 * near > count ? 1 : 0;
+    }
+  });
+  return narrow;
 }
 
 SurfaceField SurfaceNodes::light(const World& world, const UnitBeam& beam, float cap, float requirement,
@@ -76,6 +94,7 @@ SurfaceField SurfaceNodes::light(const World& world, const UnitBeam& beam, float
   struct Reached {
     std::vector<std::uint32_t> cells, nodes;
     double omitted = 0;
+    Flux flux;
   };
   std::vector<Reached> parts((cells_->size() + at_once - 1) / at_once);
   for_each_task(parts.size(), [&](std::size_t k) {
@@ -91,20 +110,25 @@ SurfaceField SurfaceNodes::light(const World& world, const UnitBeam& beam, float
     for (const std::uint32_t cell : part.cells)
       for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node)
         if (has_points(node)) part.nodes.push_back(static_cast<std::uint32_t>(node));
-    light_cells(part.cells, world, beam, cap, requirement, field);
+    part.flux = light_cells(part.cells, world, beam, cap, requirement, field);
     if (world.mirrors.size() > 0) add_images(part.cells, world, beam, requirement, field);
   });
   double omitted = 0;
+  Flux flux;
   for (const Reached& part : parts) {
     field.nodes.insert(field.nodes.end(), part.nodes.begin(), part.nodes.end());
     omitted += part.omitted;
+    flux.sum += part.flux.sum;
+    flux.variance += part.flux.variance;
   }
+  if (flux.sum > 0) field.flux_error = static_cast<float>(std::sqrt(flux.variance) / flux.sum);
   if (cells_->size() > 0) field.omitted = static_cast<float>(omitted / static_cast<double>(cells_->size()));
   return field;
 }
 
-void SurfaceNodes::light_cells(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
-                               float cap, float requirement, SurfaceField& field) const {
+SurfaceNodes::Flux SurfaceNodes::light_cells(std::span<const std::uint32_t> cells, const World& world,
+                                             const UnitBeam& beam, float cap, float requirement,
+                                             SurfaceField& field) const {
   constexpr std::size_t max_points = SurfaceCells::max_points * quadrants;
   constexpr float weak = 0.25F, middling = 1, strong = 3;  // of the requirement
   std::vector<float> irradiance(cells.size() * max_points);
@@ -143,6 +167,7 @@ void SurfaceNodes::light_cells(std::span<const std::uint32_t> cells, const World
   shares.resize(targets.size());
   world.rays.shares(beam.source(), targets, shares);
 
+  Flux flux;
   std::size_t a = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::uint32_t* const of = first_point_.data() + first_node(cells[c]);
@@ -165,12 +190,17 @@ void SurfaceNodes::light_cells(std::span<const std::uint32_t> cells, const World
     const float share = std::accumulate(arrived.begin(), arrived.end(), 0.0F) / whole, one = whole / count;
     for (std::uint32_t q = 0; q < quadrants; ++q) {
       if (of[q] == of[q + 1]) continue;
-      const float sum = std::accumulate(e + (of[q] - of[0]), e + (of[q + 1] - of[0]), 0.0F);
+      const std::span<const float> own(e + (of[q] - of[0]), of[q + 1] - of[q]);
+      const float mean = std::accumulate(own.begin(), own.end(), 0.0F) / static_cast<float>(own.size());
       // The whole cell's share counts like one more point.
-      field.straight[first_node(cells[c]) + q] =
-          sum / static_cast<float>(of[q + 1] - of[q]) * (arrived[q] + one * share) / (open[q] + one);
+      const float arriving = (arrived[q] + one * share) / (open[q] + one);
+      field.straight[first_node(cells[c]) + q] = mean * arriving;
+      const double off = own.size() == 2 ? static_cast<double>((own[0] - own[1]) / 2 * arriving) : 0;
+      flux.sum += static_cast<double>(mean * arriving);
+      flux.variance += off * off;
     }
   }
+  return flux;
 }
 
 // Adds the light over plane mirrors at one point of each cell.
@@ -230,49 +260,91 @@ void SurfaceNodes::mean_of_cells(std::span<const std::uint32_t> cells, std::span
   }
 }
 
-// Jacobi iteration between cells, in which the two halves of the links take turns. Further pairs of rounds
-// follow as a geometric series with the ratio of the last two increments, and a last round between quadrants
-// with all links.
+// The spectral radius of the links between cells, by power iteration: the largest ratio of light after and
+// before a pair of rounds bounds it from above (Collatz, Wielandt). A few cells that see little but each
+// other do not count.
+double SurfaceNodes::spectral_radius() const {
+  constexpr int pairs = 10;
+  constexpr double counted = 0.99;  // of the cells
+  const std::size_t n = cells_->size();
+  if (n == 0) return 0;
+  std::vector<float> light(n, 1), bounced(n), next(n), ratios(n);
+  const auto gather = [&](const SurfaceLinks& half, const std::vector<float>& from, std::vector<float>& to) {
+    parallel_for_ranges(n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t cell = begin; cell < end; ++cell) to[cell] = half.sum(cell, from);
+    });
+  };
+  for (int pair = 0; pair < pairs; ++pair) {
+    gather(cell_halves_[0], light, bounced);
+    gather(cell_halves_[1], bounced, next);
+    for (std::size_t cell = 0; cell < n; ++cell)
+      ratios[cell] = light[cell] > 0 ? next[cell] / light[cell] : 0;
+    light.swap(next);
+  }
+  const auto at = ratios.begin() + static_cast<std::ptrdiff_t>(counted * static_cast<double>(n - 1));
+  std::nth_element(ratios.begin(), at, ratios.end());
+  return std::sqrt(static_cast<double>(*at));
+}
+
+// Chebyshev iteration on eigenvalues of both signs (those between surfaces that face each other are
+// negative), up to the spectral radius. Its error is at most twice the rate to the power of the rounds in all
+// parts of a shop, also where light arrives late.
+void SurfaceNodes::choose_rounds() {
+  constexpr double max_radius = 0.995, error = 0.002;
+  const double radius = std::min(max_radius, spectral_radius());
+  squared_radius_ = radius * radius;
+  const double rate = radius / (1 + std::sqrt(1 - squared_radius_));
+  rounds_ = rate > 0 ? static_cast<int>(std::ceil(std::log(error / 2) / std::log(rate))) : 1;
+}
+
+// `sum`(round, cell, light): the light that comes from other cells.
+template <class Sum>
+std::vector<float> SurfaceNodes::iterate(std::span<const std::uint32_t> cells,
+                                         const std::vector<float>& source, std::vector<float> light,
+                                         const Sum& sum) const {
+  std::vector<float> next(light.size());
+  double omega = 1;
+  for (int round = 0; round < rounds_; ++round) {
+    if (round > 0) omega = 4 / (4 - squared_radius_ * (round == 1 ? 2 : omega));
+    const auto step = static_cast<float>(omega);
+    for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
+      for (const std::uint32_t cell : some)
+        next[cell] += step * (source[cell] + sum(round, cell, light) - next[cell]);
+    });
+    light.swap(next);
+  }
+  return light;
+}
+
+std::vector<float> SurfaceNodes::total_light(const std::vector<float>& straight,
+                                             std::optional<std::uint64_t> sample) const {
+  return iterate(all_numbers<std::uint32_t>(cells_->size()), straight, straight,
+                 [&](int, std::uint32_t cell, const std::vector<float>& light) {
+                   if (sample) return cell_halves_[mix_key(*sample, cells_->key(cell)) & 1].sum(cell, light);
+                   return (cell_halves_[0].sum(cell, light) + cell_halves_[1].sum(cell, light)) / 2;
+                 });
+}
+
+// The two halves of the links between cells take turns; a last round between quadrants uses all links.
 void SurfaceNodes::bounce(std::span<const float> first_bounce, SurfaceField& field) const {
   std::vector<std::uint32_t> cells;
   for (const std::uint32_t node : field.nodes)
     if (cells.empty() || cells.back() != node / quadrants) cells.push_back(node / quadrants);
-  // Straight light, its first bounce, total light, and the part of one or more bounces.
-  const std::size_t n = cells_->size();
-  std::vector<float> straight(n), first(n), light(n), fresh(n), indirect(n), before(n);
+  std::vector<float> straight(cells_->size()), source(cells_->size());
   for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
     mean_of_cells(some, field.straight, straight);
-    if (!first_bounce.empty()) mean_of_cells(some, first_bounce, first);
+    if (!first_bounce.empty()) mean_of_cells(some, first_bounce, source);
+    for (const std::uint32_t cell : some) source[cell] += straight[cell];
   });
-  light = straight;
-  std::vector<double> sums(parts_of(cells));
-  const auto gather = [&](const SurfaceLinks& half) {
-    for_parts(cells, [&](std::size_t part, std::span<const std::uint32_t> some) {
-      double total = 0;
-      for (const std::uint32_t cell : some) {
-        indirect[cell] = first[cell] + half.sum(cell, light);
-        fresh[cell] = straight[cell] + indirect[cell];
-        total += static_cast<double>(indirect[cell]);
-      }
-      sums[part] = total;
-    });
-    light.swap(fresh);
-    return std::accumulate(sums.begin(), sums.end(), 0.0);
-  };
-  std::array<double, 3> totals{};  // of the last three pairs
-  for (int pair = 0; pair < max_pairs && (pair < min_pairs || totals[2] - totals[1] > much * totals[2]);
-       ++pair) {
-    before.swap(indirect);
-    double total = 0;
-    for (const SurfaceLinks& half : cell_halves_) total = gather(half);
-    totals = {totals[1], totals[2], total};
-  }
-  const float further = detail::geometric_tail(totals);
+  const std::vector<float> light =
+      iterate(cells, source, straight, [&](int round, std::uint32_t cell, const std::vector<float>& before) {
+        return cell_halves_[static_cast<std::size_t>(round % 2)].sum(cell, before);
+      });
   std::vector<float> by_node(size());
   for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
     for (const std::uint32_t cell : some) {
       fill_unknown(cell, field.straight);
-      const float bounced = indirect[cell] + further * std::max(0.0F, indirect[cell] - before[cell]);
+      const float bounced = std::max(0.0F, light[cell] - straight[cell]);
       for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node)
         by_node[node] = field.straight[node] + bounced;
     }

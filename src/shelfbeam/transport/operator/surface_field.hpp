@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct SurfaceField {
   std::vector<CellSight> sight;      ///< by cell
   /// Mean irradiance that cells beyond the reach would get without obstacles, times their share of all cells.
   float omitted = 0;
+  float flux_error = 0;  ///< standard error of all straight light, relative: cells have few points
 };
 
 /// The surfaces of a shop and the light between them, ready for any unit.
@@ -48,6 +50,10 @@ class SurfaceNodes {
   std::uint32_t first_point(std::size_t node) const { return first_point_[node]; }
   bool has_points(std::size_t node) const { return first_point_[node] < first_point_[node + 1]; }
 
+  /// By cell: whether the next surface before it is closer than cells are wide. Its light then changes within
+  /// the cell.
+  std::vector<std::uint8_t> narrow_cells(const World& world) const;
+
   /// The straight light of a unit, by shadow rays to the points of cells: to more points where it is bright,
   /// measured by the requirement. `cap` limits the irradiance of every point. Cells farther away than
   /// `reach`, m, are omitted.
@@ -58,6 +64,11 @@ class SurfaceNodes {
   /// empty).
   void bounce(std::span<const float> first_bounce, SurfaceField& field) const;
 
+  /// The total light on all cells, given the straight part. A sample takes the links of each cell from one of
+  /// the halves at random, so that samples spread like errors of the links; without one, the mean counts.
+  std::vector<float> total_light(const std::vector<float>& straight,
+                                 std::optional<std::uint64_t> sample) const;
+
   std::size_t bytes() const;
 
  private:
@@ -65,10 +76,18 @@ class SurfaceNodes {
 
   SurfaceNodes(const std::shared_ptr<const detail::SurfaceCells>& cells, const World& world,
                std::uint64_t seed, std::uint32_t gather_rays, const RunControl& control);
-  void light_cells(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam, float cap,
+  struct Flux {
+    double sum = 0, variance = 0;  ///< of the irradiance of quadrants
+  };
+  Flux light_cells(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam, float cap,
                    float requirement, SurfaceField& field) const;
   void add_images(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
                   float requirement, SurfaceField& field) const;
+  double spectral_radius() const;
+  void choose_rounds();
+  template <class Sum>
+  std::vector<float> iterate(std::span<const std::uint32_t> cells, const std::vector<float>& source,
+                             std::vector<float> light, const Sum& sum) const;
   void mean_of_cells(std::span<const std::uint32_t> cells, std::span<const float> by_node,
                      std::vector<float>& mean) const;
   void fill_unknown(std::size_t cell, std::vector<float>& by_node) const;
@@ -78,6 +97,8 @@ class SurfaceNodes {
   std::array<SurfaceLinks, 2> cell_halves_;  // and between cells
   BeamPoints points_;
   std::vector<std::uint32_t> first_point_;  // by quadrant
+  double squared_radius_ = 0;               // of eigenvalues of the links between cells
+  int rounds_ = 1;
 };
 
 }  // namespace shelfbeam

@@ -16,7 +16,7 @@ using detail::SurfaceCells;
 
 constexpr std::uint32_t rays_of_unit = 256;
 // Light is omitted that gives less than this share of the requirement, to a label or a surface.
-constexpr double least_at_label = 1e-4, least_at_surface = 3e-3;
+constexpr double least_at_label = 1e-4, least_at_surface = 1e-3;
 // A spot counts as at least this far away, m^2: it is as large as a quadrant.
 constexpr double near_squared = 0.04;
 // Farther away, m^2, the quadrants of a cell receive the same light.
