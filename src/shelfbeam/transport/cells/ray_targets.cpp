@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -14,14 +16,60 @@ namespace {
 constexpr double min_probability = 0.0003;  // of a cosine distributed ray
 constexpr double surroundings = 0.4;        // m, of a unit
 
+Vec3 along(const InnerWall& wall) {
+  return Vec3{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1], 0} / wall.length();
+}
+
+// `at` may be before or beyond the wall.
 RayTargets::Rectangle rectangle_of(const InnerWall& wall, const WallOpening& opening) {
-  const Vec3 way = Vec3{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1], 0} / wall.length();
+  const Vec3 way = along(wall);
   const double height = opening.top - opening.bottom;
   return {.corner = Vec3{wall.from[0], wall.from[1], opening.bottom} + opening.at * way,
           .along = opening.width * way,
           .up = {0, 0, height},
           .normal = {-way.y, way.x, 0},
           .area = opening.width * height};
+}
+
+// Gaps up to this width count as openings; ordinary rays find wider ones.
+constexpr double widest_gap = 1;  // m
+
+// A point of the plan in the middle of a wall, or beyond its ends.
+Vec2 on_wall(const InnerWall& wall, double at) {
+  const Vec3 way = along(wall);
+  return {wall.from[0] + at * way.x, wall.from[1] + at * way.y};
+}
+
+double ceiling_at(const RoomShape& room, const Vec2& p) {
+  return room.ceiling_over(p).at(p);
+}
+
+// The gap between the top of a wall and the ceiling.
+std::optional<WallOpening> gap_above(const RoomShape& room, const InnerWall& wall) {
+  if (!wall.height) return std::nullopt;
+  double top = 0;
+  for (const double share : {0.0, 0.5, 1.0})
+    top = std::max(top, ceiling_at(room, on_wall(wall, share * wall.length())));
+  const double gap = top - *wall.height;
+  if (!(gap > 0) || gap > widest_gap) return std::nullopt;
+  return WallOpening{.at = 0, .width = wall.length(), .bottom = *wall.height, .top = top};
+}
+
+// The gap between a free end of a wall and the next wall.
+std::optional<WallOpening> gap_beside(const RoomShape& room, const InnerWall& wall, bool is_end) {
+  constexpr double step = 0.005;  // m
+  const auto is_free = [&](const Vec2& p) {
+    return room.covers(p) &&
+           std::none_of(room.inner_walls.begin(), room.inner_walls.end(), [&](const InnerWall& other) {
+             return &other != &wall && contains(other.footprint(0, other.length()), p);
+           });
+  };
+  const auto beyond = [&](double distance) { return is_end ? wall.length() + distance : -distance; };
+  double gap = 0;
+  while (gap <= widest_gap && is_free(on_wall(wall, beyond(gap + step / 2)))) gap += step;
+  if (gap == 0 || gap > widest_gap) return std::nullopt;
+  const double top = wall.height.value_or(ceiling_at(room, on_wall(wall, beyond(gap / 2))));
+  return WallOpening{.at = is_end ? wall.length() : -gap, .width = gap, .bottom = 0, .top = top};
 }
 
 // Squares of small sines would cancel.
@@ -90,9 +138,25 @@ struct Density {
 
 RayTargets::RayTargets(const Scene& scene) {
   if (!scene.room) return;
-  for (const InnerWall& wall : scene.room->inner_walls)
-    for (const WallOpening& opening : wall.openings)
-      if (opening.width > 0 && opening.top > opening.bottom) targets_.push_back(rectangle_of(wall, opening));
+  for (const InnerWall& wall : scene.room->inner_walls) {
+    std::vector<WallOpening> openings = wall.openings;
+    for (const auto& gap : {gap_above(*scene.room, wall), gap_beside(*scene.room, wall, false),
+                            gap_beside(*scene.room, wall, true)})
+      if (gap) openings.push_back(*gap);
+    for (const WallOpening& opening : openings)
+      if (opening.width > 0 && opening.top > opening.bottom) add_rectangle(rectangle_of(wall, opening));
+  }
+}
+
+// A gap between the ends of two walls in line belongs to both.
+void RayTargets::add_rectangle(const Rectangle& rectangle) {
+  constexpr double same = 0.01;  // m
+  const auto middle = [](const Rectangle& of) { return of.corner + 0.5 * (of.along + of.up); };
+  for (const Target& target : targets_)
+    if (const auto* const known = std::get_if<Rectangle>(&target);
+        known != nullptr && length(middle(*known) - middle(rectangle)) < same)
+      return;
+  targets_.push_back(rectangle);
 }
 
 void RayTargets::add_unit(const Vec3& position) {

@@ -13,11 +13,11 @@
 namespace shelfbeam {
 
 /// Places through which or from which much light may come, although few random rays of a point meet them:
-/// openings of inner walls, because the room behind may be far brighter, and the surroundings of units that
-/// are mounted close to a surface.
+/// openings of inner walls and gaps above them or beside their free ends, because the room behind may be far
+/// brighter, and the surroundings of units that are mounted close to a surface.
 class RayTargets {
  public:
-  /// An opening, in the middle of its wall.
+  /// An opening or a gap, in the middle of its wall.
   struct Rectangle {
     Vec3 corner, along, up;  ///< edges from the corner, m
     Vec3 normal;             ///< unit length
@@ -29,7 +29,7 @@ class RayTargets {
   };
   using Target = std::variant<Rectangle, Ball>;
 
-  /// The openings of a scene, none without a room.
+  /// The openings and gaps of a scene, none without a room.
   explicit RayTargets(const Scene& scene);
   /// The surroundings of a unit.
   void add_unit(const Vec3& position);
@@ -43,6 +43,8 @@ class RayTargets {
   View seen_from(const Vec3& position, const Vec3& normal, std::uint32_t own) const;
 
  private:
+  void add_rectangle(const Rectangle& rectangle);
+
   std::vector<Target> targets_;
 };
 

@@ -70,6 +70,37 @@ TEST(RayTargets, DensityIsZeroBesideTheTarget) {
   EXPECT_EQ(view.weight(2, from, {-1, 0, 0}), 1);
 }
 
+// The solid angle of all targets in view.
+double seen(const RayTargets& targets, const Vec3& from, const Vec3& normal) {
+  const auto view = targets.seen_from(from, normal, own);
+  return view.is_empty() ? 0 : sampled_solid_angle(view, from);
+}
+
+TEST(RayTargets, GapsAboveAWallAndBesideItsEndsAreOpenings) {
+  Scene scene;
+  scene.room = RoomShape::box({8, 6, 3});
+  InnerWall& wall = scene.room->inner_walls.emplace_back(InnerWall{"wall", {4, 0}, {4, 6}, 0.1, {}, {}});
+  const Vec3 from{2, 3, 1.5};
+  EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  wall.height = 2.8;
+  // The gap is 1.3 to 1.5 m above the point: a half of the difference between two rectangles.
+  const double above = (solid_angle(6, 3, 2) - solid_angle(6, 2.6, 2)) / 2;
+  EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), above, 1e-3 * above);
+  wall.height = 1.9;  // ordinary rays find 1.1 m
+  EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  wall.height.reset();
+  wall.to = {4, 5.88};
+  const double beside = (solid_angle(6, 3, 2) - solid_angle(5.76, 3, 2)) / 2;
+  EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), beside, 0.03 * beside);  // found to 5 mm
+  // Closed by another wall, and a gap that belongs to the ends of two walls.
+  scene.room->inner_walls.push_back({"corner", {3, 5.9}, {5, 5.9}, 0.3, {}, {}});
+  EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  scene.room->inner_walls = {{"one", {4, 0}, {4, 2.9}, 0.1, {}, {}},
+                             {"other", {4, 3.1}, {4, 6}, 0.1, {}, {}}};
+  EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), solid_angle(0.2, 3, 2),
+              1e-2 * solid_angle(0.2, 3, 2));
+}
+
 TEST(RayTargets, OmitsWhatASurfaceHardlySees) {
   const RayTargets targets(scene_with_door(1, 2));
   EXPECT_TRUE(targets.seen_from({2, 2.5, 1.5}, {-1, 0, 0}, own).is_empty());   // behind
