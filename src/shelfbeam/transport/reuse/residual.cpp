@@ -1,6 +1,7 @@
 #include "shelfbeam/transport/reuse/residual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shelfbeam/math/random.hpp"
@@ -10,7 +11,20 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double max_survival = 0.99;
+// The probability that a path continues. A generation multiplies the variance by albedo^2 over it, so it is
+// near the albedo; in steps, so that paths of runs that differ a little in a reflectance are the same, and
+// their difference is precise.
+double survival_at(double albedo, double least) {
+  struct Step {
+    double max_albedo, survival;
+  };
+  constexpr std::array<Step, 3> steps{{{0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
+  constexpr double flat = 0.77, most = 0.99;  // albedo up to which 0.7 is near enough
+  if (albedo <= flat) return least;
+  for (const Step& step : steps)
+    if (albedo <= step.max_albedo) return std::max(least, step.survival);
+  return std::max(least, most);
+}
 
 // Share of the rays at a vertex that do not leave by its base. Where other vertices share the base, some of
 // them see more of it than this path.
@@ -205,9 +219,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 
-    // A survival probability equal to the albedo keeps the variance finite: a generation multiplies the
-    // variance by albedo^2 over this probability.
-    const double survival = std::clamp(vertex.albedo, effort_.survival, max_survival);
+    const double survival = survival_at(vertex.albedo, effort_.survival);
     next.chances[a] = survival * (1 - otherwise);
     const double u = random.uniform();
     if (u >= survival) continue;

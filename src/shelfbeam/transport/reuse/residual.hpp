@@ -96,7 +96,7 @@ struct ReuseEffort {
   /// small clusters then have more points.
   bool seeks_rare_light = true;
   bool is_hidden = false;  ///< units shine mostly there, which cells from elsewhere do not tell
-  double survival = 0.7;   ///< min probability of a continuation; brighter surfaces use their albedo
+  double survival = 0.7;  ///< min probability of a continuation; that of bright surfaces is near their albedo
 };
 
 /// The effort where batches should be short rather than precise.
