@@ -13,6 +13,7 @@
 #include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
+#include "shelfbeam/transport/world/rough_coats.hpp"
 
 namespace shelfbeam {
 
@@ -95,6 +96,7 @@ std::variant<SignalMatrix, MisfitReason> fitting_signals(StoredSignals signals, 
   if (!finds_the_same_light(origin.estimator, scene, wanted)) return MisfitReason{Misfit::paths};
   SignalMatrix head = detail::matrix_head(scene, scene_hash(scene), origin.seed, origin.estimator);
   const bool has_light = origin.light_hash.has_value();
+  if (!has_light && with_rough_coats(scene)) return MisfitReason{Misfit::light};
   if (!has_light && (origin.store_hash != head.provenance.store_hash || signals.rows() != head.rows() ||
                      signals.columns() != head.columns()))
     return MisfitReason{Misfit::store};

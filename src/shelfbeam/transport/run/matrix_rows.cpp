@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "shelfbeam/scene/light_keys.hpp"
+#include "shelfbeam/transport/world/rough_coats.hpp"
 
 namespace shelfbeam::detail {
 
@@ -123,7 +125,8 @@ TransceiverColumn describe(const Scene& scene, const Transceiver& unit) {
 }  // namespace
 
 void set_light(SignalMatrix& matrix, const Scene& scene) {
-  const LightKeys keys = light_keys(scene);
+  const std::optional<Scene> rough = with_rough_coats(scene);
+  const LightKeys keys = light_keys(rough ? *rough : scene);
   matrix.provenance.light_hash = keys.light_hash;
   for (std::size_t i = 0; i < keys.labels.size(); ++i) matrix.labels[i].light = keys.labels[i];
   for (std::size_t j = 0; j < keys.transceivers.size(); ++j)

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "shelfbeam/transport/world/plane_mirrors.hpp"
+#include "shelfbeam/transport/world/rough_coats.hpp"
 
 namespace shelfbeam {
 
@@ -37,7 +39,8 @@ std::vector<MaterialId> used_materials(const Scene& scene, const Wanted& wanted)
 // Paths over mirrors and through glass that no connection finds.
 std::vector<LightKind> unconnected_light(const Scene& scene, PathEnd end) {
   std::vector<LightKind> result;
-  const PlaneMirrors mirrors(scene);
+  const std::optional<Scene> rough = with_rough_coats(scene);
+  const PlaneMirrors mirrors(rough ? *rough : scene);
   if (mirrors.size() > 1)
     result.push_back({end, PathWay::successive_mirrors, used_materials(scene, is_partly_specular)});
   if (const auto solids = used_materials(scene, refracts_smoothly); !solids.empty())

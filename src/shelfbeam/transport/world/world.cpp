@@ -7,6 +7,7 @@
 
 #include "shelfbeam/transport/world/extent.hpp"
 #include "shelfbeam/transport/world/glass_devices.hpp"
+#include "shelfbeam/transport/world/rough_coats.hpp"
 
 namespace shelfbeam {
 
@@ -67,10 +68,11 @@ double enlargement(const Scene& scene) {
   return std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
 }
 
-std::optional<Scene> enlarged(const Scene& scene) {
+std::optional<Scene> ready_for_light(const Scene& scene) {
   std::optional<Scene> own;
   const double factor = enlargement(scene);
   if (factor != 1) own = times(scene, factor);
+  if (auto rough = with_rough_coats(own ? *own : scene)) own = std::move(rough);
   const Scene& now = own ? *own : scene;
   if (auto devices = off_glass(now, {now.labels, now.transceivers}, factor)) {
     if (!own) own = scene;

@@ -21,8 +21,9 @@ namespace shelfbeam {
 /// as d^2. Lengths that estimators choose for stores, such as the half-metre cells of the radiance cache,
 /// then also suit a box of some millimetres.
 ///
-/// Labels and units are off glass (devices_off_glass). No value for a scene that remains as it is.
-std::optional<Scene> enlarged(const Scene& scene);
+/// Labels and units are off glass (devices_off_glass), and coats that no plane mirror shows are slightly
+/// rough (with_rough_coats). No value for a scene that remains as it is.
+std::optional<Scene> ready_for_light(const Scene& scene);
 
 /// This factor, 1 for a scene of 1 m or more.
 double enlargement(const Scene& scene);
@@ -63,10 +64,10 @@ struct World;
 /// The room, materials and types of a world with other units, which are given as in the shop, and its labels.
 Scene with_other_units(const World& like, std::vector<Transceiver> units, bool with_labels);
 
-/// A scene prepared for light transport; a very small scene is enlarged.
+/// A scene prepared for light transport (ready_for_light).
 struct World {
   explicit World(const Scene& s)
-      : own(enlarged(s)),
+      : own(ready_for_light(s)),
         scene(own ? *own : s),
         surfaces(std::make_shared<const Surfaces>(scene, enlargement(s))),
         rays(surfaces->rays),
