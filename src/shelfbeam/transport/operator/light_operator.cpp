@@ -1,7 +1,9 @@
 #include "shelfbeam/transport/operator/light_operator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -11,7 +13,6 @@
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/cache/smallest_requirement.hpp"
-#include "shelfbeam/transport/operator/common_errors.hpp"
 #include "shelfbeam/transport/operator/label_light.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 #include "shelfbeam/transport/world/label_clusters.hpp"
@@ -24,9 +25,9 @@ std::uint64_t stream_of(std::uint64_t seed) {
   return mix_key(seed, hash64("light operator"));
 }
 
-// The standard error of a preview: of the quadrature by points; of the mean light of cells, by itself, by the
-// links (common_errors) and by the straight light; of light from spots and from beyond the reach; and a rest.
-// docs/methods/light_operator.md has the comparison that gives the factors.
+// The standard error of a preview. Its parts come from the quadrature by points; from the mean light of cells
+// (the mean itself, the links between cells, the straight light); from spots; from light beyond the reach;
+// and a rest. docs/methods/light_operator.md has the comparison that gives the factors.
 class PreviewError {
  public:
   PreviewError(const OperatorEffort& effort, const SurfaceField& field)
@@ -50,6 +51,71 @@ class PreviewError {
  private:
   float of_squares_, of_mean_, of_flux_, omitted_;
 };
+
+// The straight light on all cells of a lamp that shines equally in all directions, from a random place before
+// a surface.
+std::vector<float> lamp_light(const World& world, const SurfaceNodes& nodes, std::uint64_t key) {
+  const std::size_t cells = nodes.cells().size();
+  if (cells == 0) return {};
+  const auto point_of = [&](std::size_t cell) {
+    return nodes.points().at(nodes.first_point(cell * detail::SurfaceCells::quadrants));
+  };
+  RandomStream random(key, 0, 0, 0x1A3B);
+  const SurfacePoint behind = point_of(to_index(random.bits(), static_cast<std::uint32_t>(cells)));
+  const auto ahead = world.rays.intersect(behind, behind.normal);
+  const double space = ahead ? ahead->distance(behind.position, behind.normal) : 1;
+  const Vec3 at = behind.position + (0.1 + 0.8 * random.uniform()) * space * behind.normal;
+  std::vector<float> light(cells);
+  parallel_for_ranges(cells, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const SurfacePoint point = point_of(cell);
+      const Vec3 way = at - point.position;
+      const double squared = length_squared(way), cosine = dot(point.normal, way) / std::sqrt(squared);
+      if (cosine > 0)
+        light[cell] =
+            static_cast<float>(cosine / std::max(1.0, squared) * world.rays.transmittance(point, at).share);
+    }
+  });
+  return light;
+}
+
+// The relative error of the light from cells that the links between cells cause at the labels of each
+// cluster, all together: they have the same bounces before their own rays. It is the root mean square over
+// the labels, for lamps at random places. Ends early when cancelled.
+std::vector<float> common_errors(const World& world, const SurfaceNodes& nodes,
+                                 const std::vector<LabelHits>& clusters, std::uint64_t seed,
+                                 const RunControl& control) {
+  constexpr std::uint64_t lamps = 8;
+  std::vector<double> squares(clusters.size()), count(clusters.size());
+  for (std::uint64_t lamp = 0; lamp < lamps && !control.cancelled(); ++lamp) {
+    const std::uint64_t key = mix_key(seed, lamp);
+    const std::vector<float> straight = lamp_light(world, nodes, key);
+    const std::array light{nodes.total_light(straight, std::nullopt), nodes.total_light(straight, key)};
+    parallel_for_ranges(clusters.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const LabelHits& hits = clusters[k];
+        const auto rows = all_numbers<std::uint32_t>(hits.blocks.size() - 1);
+        std::vector<float> values(rows.size());
+        std::array<std::array<float, LabelRows::max_labels>, 2> sums{};
+        for (std::size_t which = 0; which < 2; ++which) {
+          for (const std::uint32_t b : rows)
+            values[b] = light[which][hits.blocks[b].cell] - straight[hits.blocks[b].cell];
+          hits.sums.add_to(rows, values, sums[which].data());
+        }
+        for (std::size_t c = 0; c < hits.labels.size(); ++c) {
+          if (!(sums[0][c] > 0)) continue;
+          const double error = static_cast<double>(sums[1][c]) / static_cast<double>(sums[0][c]) - 1;
+          squares[k] += error * error;
+          ++count[k];
+        }
+      }
+    });
+  }
+  std::vector<float> errors;
+  for (std::size_t k = 0; k < clusters.size(); ++k)
+    errors.push_back(count[k] > 0 ? static_cast<float>(std::sqrt(squares[k] / count[k])) : 0);
+  return errors;
+}
 
 std::vector<float> direct_signals(const World& probe, std::uint64_t stream) {
   const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
@@ -116,6 +182,9 @@ LightOperator::LightOperator(const World& world, std::uint64_t seed, const Opera
   clusters_.resize(clusters.size());
   const RayTargets targets(world.scene);
   const std::vector<std::uint8_t> narrow = nodes_.narrow_cells(world);
+  const auto stop_if_cancelled = [&] {
+    if (control.cancelled()) throw Interrupted("the light of the shop was not computed completely");
+  };
   constexpr std::size_t at_once = 16;
   for (std::size_t begin = 0; begin < clusters.size(); begin += at_once) {
     constexpr double surfaces = 0.3;  // share of the time
@@ -125,10 +194,12 @@ LightOperator::LightOperator(const World& world, std::uint64_t seed, const Opera
       clusters_[begin + k] = find_label_hits(world, nodes_, narrow, clusters[begin + k], targets,
                                              effort.label_rays, stream_, control);
     });
-    if (control.cancelled()) throw Interrupted("the light of the shop was not computed completely");
+    stop_if_cancelled();
   }
   mark_seen();
-  common_errors_ = common_errors(world, nodes_, clusters_, mix_key(stream_, hash64("common errors")));
+  common_errors_ =
+      common_errors(world, nodes_, clusters_, mix_key(stream_, hash64("common errors")), control);
+  stop_if_cancelled();
 }
 
 void LightOperator::mark_seen() {

@@ -18,12 +18,11 @@ double survival_at(double albedo, double least) {
   struct Step {
     double max_albedo, survival;
   };
-  constexpr std::array<Step, 3> steps{{{0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
-  constexpr double flat = 0.77, most = 0.99;  // albedo up to which 0.7 is near enough
-  if (albedo <= flat) return least;
+  constexpr std::array<Step, 4> steps{{{0.77, 0}, {0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
+  constexpr double brightest = 0.99;
   for (const Step& step : steps)
     if (albedo <= step.max_albedo) return std::max(least, step.survival);
-  return std::max(least, most);
+  return std::max(least, brightest);
 }
 
 // Share of the rays at a vertex that do not leave by its base. Where other vertices share the base, some of
