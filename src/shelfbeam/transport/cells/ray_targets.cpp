@@ -8,6 +8,7 @@
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
 
@@ -58,11 +59,14 @@ std::optional<WallOpening> gap_above(const RoomShape& room, const InnerWall& wal
 // The gap between a free end of a wall and the next wall.
 std::optional<WallOpening> gap_beside(const RoomShape& room, const InnerWall& wall, bool is_end) {
   constexpr double step = 0.005;  // m
+  std::vector<Polygon> others;
+  for (std::size_t o = 0; o < room.inner_walls.size(); ++o) {
+    const auto [begin, end] = ends_of(room, o);
+    if (&room.inner_walls[o] != &wall) others.push_back(room.inner_walls[o].footprint(begin, end));
+  }
   const auto is_free = [&](const Vec2& p) {
-    return room.covers(p) &&
-           std::none_of(room.inner_walls.begin(), room.inner_walls.end(), [&](const InnerWall& other) {
-             return &other != &wall && contains(other.footprint(0, other.length()), p);
-           });
+    return room.covers(p) && std::none_of(others.begin(), others.end(),
+                                          [&](const Polygon& other) { return contains(other, p); });
   };
   const auto beyond = [&](double distance) { return is_end ? wall.length() + distance : -distance; };
   double gap = 0;

@@ -95,6 +95,10 @@ TEST(RayTargets, GapsAboveAWallAndBesideItsEndsAreOpenings) {
   // Closed by another wall, and a gap that belongs to the ends of two walls.
   scene.room->inner_walls.push_back({"corner", {3, 5.9}, {5, 5.9}, 0.3, {}, {}});
   EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  // A corner of two walls is closed, although the far wall is less than a metre away.
+  scene.room->inner_walls = {{"one", {4, 0}, {4, 5.5}, 0.1, {}, {}},
+                             {"other", {4, 5.5}, {8, 5.5}, 0.1, {}, {}}};
+  EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
   scene.room->inner_walls = {{"one", {4, 0}, {4, 2.9}, 0.1, {}, {}},
                              {"other", {4, 3.1}, {4, 6}, 0.1, {}, {}}};
   EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), solid_angle(0.2, 3, 2),
