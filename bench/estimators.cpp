@@ -15,8 +15,8 @@
 // (4192), and measure the CPU time of the whole process. --before compares the default estimator of this
 // build with the one of an earlier program: by the variances that the files state, and by the variances of
 // the means over the seeds, also by unit if there are up to eight. --against-paper compares it with the
-// paper's estimator of this build, by mean square errors against a long run of the latter with exact direct
-// light (--reference: its samples per label, 4,000,000).
+// paper's estimator of this build and with particles from the units, by mean square errors against a long run
+// of the former with exact direct light (--reference: its samples per label, 4,000,000).
 //
 // --caps compares distances from a unit at which its bright spots are capped (SpotRule), by the efficiency
 // relative to the default, which chooses the distances by the number of units nearby.

@@ -136,6 +136,7 @@ void print_paper(const std::string& title, const References& references, const S
   for (const double share : shares) {
     std::vector<std::size_t> entries = entries_above(references.one.labels, means, share);
     const std::size_t left_out_entries = leave_out_certain(entries, ours, paper);
+    if (entries.empty()) continue;
     const auto squares = [&](const SeedRuns& runs, std::size_t omitted) {
       return sum_of_squares(runs, references, entries, omitted);
     };
@@ -179,10 +180,11 @@ void compare_with_program(const OverSeeds& settings, const std::string& program)
 }
 
 void compare_with_paper(const OverSeeds& settings) {
-  const Options paper{"--estimator", "uniform", "--strategy", "nee", "--direct"};
-  Options exact = paper, sampled = paper;
-  exact.emplace_back("exact");
-  sampled.emplace_back("sampled");
+  const auto uniform = [](const char* strategy, const char* direct) {
+    return Options{"--estimator", "uniform", "--strategy", strategy, "--direct", direct};
+  };
+  const Options exact = uniform("nee", "exact"), sampled = uniform("nee", "sampled"),
+                particle = uniform("particle", "exact");
   for (const std::string& store : settings.stores) {
     const auto run = [&](const Options& options, std::uint64_t samples, std::uint64_t seed) {
       return simulated(this_program(), store, options, samples, seed);
@@ -192,15 +194,19 @@ void compare_with_paper(const OverSeeds& settings) {
     const Simulated one = run(exact, settings.reference_samples / 2, 0);
     const Simulated other = run(exact, settings.reference_samples / 2, settings.seeds + 1);
     const References references{one.matrix, other.matrix};
-    SeedRuns ours, paper_exact, paper_sampled;
+    SeedRuns ours, paper_exact, paper_sampled, particles;
     for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed) {
       ours.add(run({}, settings.samples, seed));
       paper_exact.add(run(exact, settings.samples, seed));
       paper_sampled.add(run(sampled, settings.samples, seed));
+      particles.add(run(particle, settings.samples, seed));
     }
     print_head(store, settings, one.matrix);
-    fmt::print("  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s; ",
-               ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none));
+    fmt::print(
+        "  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s, particles "
+        "{:.3f} s; ",
+        ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none),
+        particles.cpu_seconds(none));
     fmt::print("the references, {} samples in total: {:.0f} s\n", settings.reference_samples,
                one.cpu_seconds + other.cpu_seconds);
     fmt::print("  {:<65} {:>31}\n", "", "root mean square errors, %");
@@ -208,6 +214,7 @@ void compare_with_paper(const OverSeeds& settings) {
                "sum of squares", "geometric mean", "default", "paper's", "reference", "entries", "omitted");
     print_paper("uniform, direct exact", references, ours, paper_exact);
     print_paper("uniform, direct sampled", references, ours, paper_sampled);
+    print_paper("particles, direct exact", references, ours, particles);
     fmt::print("\n");
   }
 }

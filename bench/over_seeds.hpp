@@ -17,8 +17,8 @@ struct OverSeeds {
 /// Prints a comparison of the default estimators of this build and of an earlier `program`.
 void compare_with_program(const OverSeeds& settings, const std::string& program);
 
-/// Prints a comparison of this build's default estimator and its implementation of the paper's, by their
-/// distances from a long run of the latter.
+/// Prints a comparison of this build's default estimator with its implementation of the paper's and with
+/// particles from the units, by their distances from a long run of the paper's.
 void compare_with_paper(const OverSeeds& settings);
 
 }  // namespace shelfbeam::bench

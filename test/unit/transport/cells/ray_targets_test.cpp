@@ -10,6 +10,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t own = 4096;
+constexpr int targeted = own / 8;
 
 Scene scene_with_door(double width, double height) {
   Scene scene;
@@ -30,10 +31,10 @@ double sampled_solid_angle(const RayTargets::View& view, const Vec3& from) {
   double sum = 0;
   int rays = 0;
   view.each_ray(7, [&](std::size_t target, double u1, double u2) {
-    sum += own / 8 / view.density(from, view.direction(target, from, u1, u2));
+    sum += targeted / view.density(from, view.direction(target, from, u1, u2));
     ++rays;
   });
-  EXPECT_EQ(rays, own / 8);
+  EXPECT_EQ(rays, targeted);
   return sum / rays;
 }
 
@@ -119,7 +120,7 @@ TEST(RayTargets, ChoosesTheTargetsThatMostRaysMeet) {
   const auto view = targets.seen_from({0, 0, 0}, {0, 0, 1}, own);
   double density = 0;
   for (int k = 0; k < 4; ++k)
-    density += own / 8 / (2 * pi * (1 - std::sqrt(1 - 0.16 / ((2.0 + k) * (2.0 + k)))));
+    density += targeted / (2 * pi * (1 - std::sqrt(1 - 0.16 / ((2.0 + k) * (2.0 + k)))));
   EXPECT_NEAR(view.density({0, 0, 0}, {0, 0, 1}), density, 1e-9 * density);
 }
 
