@@ -4,7 +4,7 @@
 //   build/release/bench_operator [STORE...] [--units N] [--samples N] [--coarse] [--seed S]
 //   build/release/bench_operator --refine [STORE...] [--units N] [--seconds S]
 //   build/release/bench_operator --growth [STORE...]
-//   build/release/bench_operator --shops [--units N] [--samples N]
+//   build/release/bench_operator --shops [--units N] [--samples N] [--seed S] [--coarse]
 //
 // Previews of N random units (100), a quarter each at the ceiling, tilted, beside walls and between shelves,
 // are compared with one simulation that has them as candidates (10,000 samples per label, exact direct

@@ -136,7 +136,10 @@ void print_paper(const std::string& title, const References& references, const S
   for (const double share : shares) {
     std::vector<std::size_t> entries = entries_above(references.one.labels, means, share);
     const std::size_t left_out_entries = leave_out_certain(entries, ours, paper);
-    if (entries.empty()) continue;
+    if (entries.empty()) {
+      fmt::print("    {:<23} above {:<5g} no entries\n", title, share);
+      continue;
+    }
     const auto squares = [&](const SeedRuns& runs, std::size_t omitted) {
       return sum_of_squares(runs, references, entries, omitted);
     };
@@ -203,7 +206,8 @@ void compare_with_paper(const OverSeeds& settings) {
     }
     print_head(store, settings, one.matrix);
     fmt::print(
-        "  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s, particles "
+        "  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s, "
+        "particles "
         "{:.3f} s; ",
         ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none),
         particles.cpu_seconds(none));

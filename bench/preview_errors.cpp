@@ -140,6 +140,10 @@ void ShopErrors::Counts::operator+=(const Counts& other) {
 }
 
 void ShopErrors::Counts::print(std::string_view title) const {
+  if (sure == 0) {
+    fmt::print("    {:<26} {:>18.1f}\n", title, 100.0);  // all in doubt
+    return;
+  }
   fmt::print("    {:<26} {:>7.1f} {:>10.1f} {:>10.2f} {:>15.1f}\n", title, 100 * inside / sure,
              100 * (1 - sure / all), 100 * error / mean, 100 * inside_if_wrong / sure);
 }

@@ -13,6 +13,7 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
+#include "shelfbeam/transport/world/rough_coats.hpp"
 
 #include "jobs/plan_folder.hpp"
 #include "jobs/plan_record.hpp"
@@ -21,9 +22,11 @@ namespace shelfbeam::jobs {
 
 namespace {
 
+// Programs without light hashes omitted the light that smooth coats of curved meshes reflect first.
 void add_light(StoredSignals& signals, const std::filesystem::path& store) {
   if (signals.provenance.store_hash != hash_of_resolved(read_file(store))) return;
   const Scene scene = make_scene(read_store(store));
+  if (with_rough_coats(scene)) return;
   if (scene.labels.size() == signals.rows() && scene.transceivers.size() == signals.columns())
     detail::set_light(signals, scene);
 }

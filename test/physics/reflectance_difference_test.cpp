@@ -16,9 +16,7 @@
 namespace shelfbeam::physics::reflectance_difference {
 namespace {
 
-constexpr double step = 1.02;
-
-SignalMatrix simulated(double reflectance, std::uint64_t seed) {
+SignalMatrix simulated(double reflectance, std::uint64_t seed, double brightest) {
   test::BareScene room;
   room.box({room.material(Lambertian{0.3}), room.material(Lambertian{0.8}),
             room.material(Lambertian{reflectance})},
@@ -31,16 +29,19 @@ SignalMatrix simulated(double reflectance, std::uint64_t seed) {
   options.samples = 2096;
   options.direct = DirectLight::exact;
   options.seed = seed;
+  options.brightest = brightest;
   return simulate(room.scene, options).matrix;
 }
 
 // The mean number of bounces at this material, by differences, for pairs of seeds: its standard deviation
-// over the pairs relative to its mean, as a median over the entries.
-double spread(std::uint64_t other_seed) {
+// over the pairs relative to its mean, as a median over the entries. The reflectances are that of the walls
+// and another of the same material, `step` times as large.
+double spread(double step, double brightest, std::uint64_t other_seed = 0) {
   constexpr std::uint64_t pairs = 8;
   std::vector<std::vector<double>> bounces;
   for (std::uint64_t seed = 1; seed <= pairs; ++seed) {
-    const SignalMatrix dark = simulated(0.8, seed), bright = simulated(0.8 * step, seed + other_seed);
+    const SignalMatrix dark = simulated(0.8, seed, brightest),
+                       bright = simulated(0.8 * step, seed + other_seed, brightest);
     bounces.resize(dark.mean.size());
     for (std::size_t e = 0; e < dark.mean.size(); ++e)
       bounces[e].push_back(std::log(static_cast<double>(bright.mean[e]) / static_cast<double>(dark.mean[e])) /
@@ -61,8 +62,14 @@ double spread(std::uint64_t other_seed) {
 }
 
 TEST(ReflectanceDifference, IsPreciseAtOneSeed) {
-  EXPECT_LT(spread(0), 0.045);
-  EXPECT_GT(spread(100), 0.15);  // the control: runs of different seeds
+  EXPECT_LT(spread(1.02, 0), 0.045);
+  EXPECT_GT(spread(1.02, 0, 100), 0.15);  // the control: runs of different seeds
+}
+
+// Paths survive more often at 0.88 than at 0.8, unless they survive everywhere as at the brightest surface.
+TEST(ReflectanceDifference, IsPreciseForAllReflectancesUpToTheBrightest) {
+  EXPECT_LT(spread(1.1, 0.88), 0.015);
+  EXPECT_GT(spread(1.1, 0), 0.02);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 Preview column_of(const SignalMatrix& matrix, std::size_t unit) {
   Preview column;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    column.signal.push_back(matrix.mean[matrix.at(i, unit)]);
+    column.signal.push_back(static_cast<float>(matrix.signal(i, unit)));
     column.error.push_back(matrix.standard_error[matrix.at(i, unit)]);
   }
   column.doubts.resize(matrix.rows());

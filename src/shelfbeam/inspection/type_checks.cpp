@@ -25,13 +25,6 @@ double peak_intensity(const Emission& emission) {
   return peak;
 }
 
-double peak_response(const Responsivity& responsivity) {
-  double peak = 0;
-  for (int degree = 0; degree <= 90; ++degree)
-    peak = std::max(peak, response(responsivity, std::cos(radians(degree))));
-  return peak;
-}
-
 // Three digits, without an exponent up to a million.
 std::string plain(double value) {
   return value >= 100 && value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
@@ -106,7 +99,7 @@ class TypeChecks {
   // `threshold`: with or without the safety factor.
   Range range(const LabelType& type, double threshold) const {
     if (strongest_ == nullptr) return {};
-    const double ahead = peak_response(type.responsivity);
+    const double ahead = largest(type.responsivity);
     return {strongest_->name, std::sqrt(peak_intensity(strongest_->emission) * ahead / threshold),
             std::sqrt(power(strongest_->emission) / (2 * pi) * ahead / threshold)};
   }
@@ -218,7 +211,7 @@ class TypeChecks {
   }
   void compare_requirements() {
     compare(scene_.label_types, labels_, "label_types", FindingCode::requirement_ratio, "requirement",
-            "W/m^2", [](const LabelType& type) { return type.requirement(); });
+            "W/m^2", [](const LabelType& type) { return type.requirement() / largest(type.responsivity); });
   }
   void compare_flux() {
     compare(scene_.transceiver_types, units_, "transceiver_types", FindingCode::flux_ratio, "flux", "W",

@@ -221,7 +221,10 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
     const auto row = planned.subspan(i * columns, columns);
     planned_of_watched.insert(planned_of_watched.end(), row.begin(), row.end());
   }
-  const Steps steps(sub_scene(scene, watched), watched, problem, planned_of_watched, effort, control);
+  VerificationEffort alike = effort;
+  for (const MaterialSensitivity& one : result.materials)
+    alike.simulation.brightest = std::max(alike.simulation.brightest, one.upper);
+  const Steps steps(sub_scene(scene, watched), watched, problem, planned_of_watched, alike, control);
   result.batches = effort.batches;
   result.as_given = steps.as_given();
   for (std::size_t k = 0; k < varied.size(); ++k) {

@@ -14,9 +14,11 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include "physics/bare_scene.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam {
@@ -243,6 +245,32 @@ TEST(FittingSignals, OfOlderFilesAreThoseOfTheirStore) {
   Json cheaper = store;
   cheaper["transceiver_types"]["down"]["cost"] = 1;
   EXPECT_EQ(misfit_of(old, test::scene_of(cheaper)), Misfit::store);
+}
+
+// A ball of smooth plastic, whose coat older programs kept smooth: by the file without light_hash, or by the
+// light_hash of the store as it is.
+TEST(FittingSignals, OfOlderFilesOmitLightOverSmoothCoatsOfCurvedMeshes) {
+  test::BareScene room;
+  room.box(room.material(Lambertian{0.5}), {-3, -3, -3}, {6, 6, 6});
+  room.label({0, 0, -2.9}, {0, 0, 1});
+  room.unit({0, 0, 2.9}, {0, 0, -1}, SinTwoTheta{1});
+  const Material smooth = make_plastic(1.5, 0.8),
+                 rough = make_plastic(1.5, 0.8, make_microfacets(FacetDistribution::ggx, 0.2, 0.2));
+  for (const bool is_smooth : {true, false}) {
+    test::BareScene shop = room;
+    shop.sphere(shop.material(is_smooth ? smooth : rough), 0.5, 2);
+    const StoredSignals now = signals_of(shop.scene);
+    EXPECT_TRUE(std::holds_alternative<SignalMatrix>(fit(now, shop.scene)));
+    StoredSignals old = now;
+    old.provenance.light_hash = light_keys(shop.scene).light_hash;
+    const StoredSignals oldest = without_light(now);
+    for (const StoredSignals& signals : {old, oldest}) {
+      if (is_smooth)
+        EXPECT_EQ(misfit_of(signals, shop.scene), Misfit::coats);
+      else
+        EXPECT_TRUE(std::holds_alternative<SignalMatrix>(fit(signals, shop.scene)));
+    }
+  }
 }
 
 TEST(FittingSignals, OfOlderFilesHaveTheLabelsAndCandidatesOfTheirStore) {

@@ -137,21 +137,21 @@ class ZooStore {
 /// metre off a surface, all materials, points and discs, reflectances from 0.02 to 0.99, a corridor, a hall
 /// of 500 m, a box of half a metre, back rooms and columns.
 inline std::vector<ZooRoom> zoo() {
-  using Json = nlohmann::json;
+  using Value = ZooStore::Json;
   std::vector<ZooRoom> rooms;
   const auto add = [&](const std::string& name, double reflectance, const ZooStore& store,
                        Strategy reference = Strategy::nee, std::uint32_t effort = 4) {
     rooms.push_back({name, store.text(), reference, reflectance, effort});
   };
-  const Json steel{{"type", "conductor"}, {"eta", 1.674}, {"k", 8.608}};
-  const auto rough = [](Json material, const Json& roughness) {
+  const Value steel{{"type", "conductor"}, {"eta", 1.674}, {"k", 8.608}};
+  const auto rough = [](Value material, const Value& roughness) {
     material["roughness"] = roughness;
     return material;
   };
-  const Json coat{{"type", "plastic"}, {"ior", 1.5}, {"reflectance", 0.5}};
-  const Json pane{
+  const Value coat{{"type", "plastic"}, {"ior", 1.5}, {"reflectance", 0.5}};
+  const Value pane{
       {"type", "thin_dielectric"}, {"ior", 1.515}, {"thickness", 0.006}, {"absorption_per_m", 20}};
-  const Json goods{{"goods", "goods"}};
+  const Value goods{{"goods", "goods"}};
   const auto shop = [&](double height, double reflectance) {
     return ZooStore(6, 5, height, reflectance)
         .paint("goods", 0.5)
@@ -265,7 +265,7 @@ inline std::vector<ZooRoom> zoo() {
           .grid(2, 1, 2.7, "panel"),
       Strategy::mis);
   {
-    const auto beckmann = [&](Json material, double roughness) {
+    const auto beckmann = [&](Value material, double roughness) {
       material["distribution"] = "beckmann";
       return rough(material, roughness);
     };

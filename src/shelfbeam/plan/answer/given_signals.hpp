@@ -18,6 +18,7 @@ enum class Misfit : std::uint8_t {
   incomplete,    ///< their simulation was interrupted
   paths,         ///< it allowed another number of bounces, or its strategy finds other light
   store,         ///< another store, by its hash, in a file without light_hash
+  coats,         ///< an earlier version omitted the light that smooth coats of curved meshes reflect first
   light,         ///< other surfaces, materials or wavelength
   labels,        ///< labels of the scene are missing
   transceivers,  ///< transceivers of the scene are missing
@@ -29,6 +30,7 @@ inline constexpr auto names_of<Misfit> =
                                   {"incomplete", Misfit::incomplete},
                                   {"paths", Misfit::paths},
                                   {"store", Misfit::store},
+                                  {"coats", Misfit::coats},
                                   {"light", Misfit::light},
                                   {"labels", Misfit::labels},
                                   {"transceivers", Misfit::transceivers}});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
@@ -96,7 +97,8 @@ std::variant<SignalMatrix, MisfitReason> fitting_signals(StoredSignals signals, 
   if (!finds_the_same_light(origin.estimator, scene, wanted)) return MisfitReason{Misfit::paths};
   SignalMatrix head = detail::matrix_head(scene, scene_hash(scene), origin.seed, origin.estimator);
   const bool has_light = origin.light_hash.has_value();
-  if (!has_light && with_rough_coats(scene)) return MisfitReason{Misfit::light};
+  if (with_rough_coats(scene) && (!has_light || origin.light_hash == light_keys(scene).light_hash))
+    return MisfitReason{Misfit::coats};
   if (!has_light && (origin.store_hash != head.provenance.store_hash || signals.rows() != head.rows() ||
                      signals.columns() != head.columns()))
     return MisfitReason{Misfit::store};

@@ -81,7 +81,7 @@ SamplingSummary sampling_summary(const SignalMatrix& matrix) {
     const LabelRow& label = matrix.labels[i];
     for (std::size_t j = 0; j < matrix.columns(); ++j) {
       const auto mean = static_cast<double>(matrix.mean[matrix.at(i, j)]);
-      if (mean == 0) ++summary.zeros;
+      if (mean <= 0) ++summary.zeros;
       if (mean <= 0 || mean < relevant_share * label.requirement) continue;
       ++summary.relevant;
       if (matrix.is_flagged(matrix.at(i, j))) ++summary.flagged;

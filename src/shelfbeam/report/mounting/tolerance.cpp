@@ -52,11 +52,10 @@ Neighbours neighbours_of(const SignalMatrix& matrix, std::uint32_t column) {
 std::vector<float> losses_of(const SignalMatrix& matrix, std::uint32_t column, const Neighbours& neighbours) {
   std::vector<float> losses(matrix.rows());
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    const auto row = matrix.mean_row(i);
     std::array<double, 2> along{};
     for (std::size_t k = 0; k < neighbours.all.size(); ++k) {
       const auto& [other, distance] = neighbours.all[k];
-      const double loss = (static_cast<double>(row[column]) - static_cast<double>(row[other])) / distance;
+      const double loss = (matrix.signal(i, column) - matrix.signal(i, other)) / distance;
       along[k / 2] = std::max(along[k / 2], loss);
     }
     losses[i] = static_cast<float>(std::hypot(along[0], along[1]));

@@ -30,8 +30,8 @@ std::string effect_of_rounding(const ReportData& data, const PageSignals& signal
     return data.words.say("view.effect.single", largest_error);
   const LabelRow& label = data.label(signals.max_affected);
   double everything = 0;
-  for (const float mean : data.input.matrix.mean_row(signals.max_affected))
-    everything += static_cast<double>(mean);
+  for (std::size_t j = 0; j < data.input.matrix.columns(); ++j)
+    everything += data.input.matrix.signal(signals.max_affected, j);
   return data.words.say(problem.redundant ? "view.effect.sum_failure" : "view.effect.sum", largest_error,
                         share_text(data.words, signals.largest_effect),
                         label.requirement > 0 ? share_text(data.words, everything / label.requirement)

@@ -32,7 +32,7 @@ struct PageSignals {
   std::vector<float> mean;              ///< after rounding, as in the script of the page
   std::vector<std::uint32_t> grains;    ///< k of each entry; empty without rounding
   /// Code of the standard error, accurate to half a step: 0 for none, otherwise min_error exp((code - 1)
-  /// error_step), for rounded entries times |mean|. Empty without errors.
+  /// error_step), for rounded entries times the mean. Empty without errors.
   std::vector<std::uint16_t> error;
   std::vector<std::uint16_t> direct;  ///< direct / mean in direct_step; empty without direct signals
   double grain = 0;                   ///< share of the requirement; 0: no entry is rounded or omitted

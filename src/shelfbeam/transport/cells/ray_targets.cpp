@@ -35,45 +35,71 @@ RayTargets::Rectangle rectangle_of(const InnerWall& wall, const WallOpening& ope
 // Gaps up to this width count as openings; ordinary rays find wider ones.
 constexpr double widest_gap = 1;  // m
 
-// A point of the plan in the middle of a wall, or beyond its ends.
-Vec2 on_wall(const InnerWall& wall, double at) {
-  const Vec3 way = along(wall);
-  return {wall.from[0] + at * way.x, wall.from[1] + at * way.y};
+struct BuiltWall {
+  const InnerWall* wall;
+  Polygon footprint;
+
+  // A point of the plan in the middle of the wall, or beyond its ends.
+  Vec2 at(double distance) const {
+    const Vec3 way = along(*wall);
+    return {wall->from[0] + distance * way.x, wall->from[1] + distance * way.y};
+  }
+};
+
+std::vector<BuiltWall> built_walls(const RoomShape& room) {
+  std::vector<BuiltWall> walls;
+  for (std::size_t w = 0; w < room.inner_walls.size(); ++w) {
+    const InnerWall& wall = room.inner_walls[w];
+    const auto [begin, end] = ends_of(room, w);
+    walls.push_back({&wall, wall.footprint(begin, end)});
+  }
+  return walls;
 }
 
 double ceiling_at(const RoomShape& room, const Vec2& p) {
   return room.ceiling_over(p).at(p);
 }
 
-// The gap between the top of a wall and the ceiling.
-std::optional<WallOpening> gap_above(const RoomShape& room, const InnerWall& wall) {
-  if (!wall.height) return std::nullopt;
-  double top = 0;
-  for (const double share : {0.0, 0.5, 1.0})
-    top = std::max(top, ceiling_at(room, on_wall(wall, share * wall.length())));
-  const double gap = top - *wall.height;
-  if (!(gap > 0) || gap > widest_gap) return std::nullopt;
-  return WallOpening{.at = 0, .width = wall.length(), .bottom = *wall.height, .top = top};
+// The gap between the top of a wall and the ceiling, up to the widest where it is wider in places.
+std::optional<WallOpening> gap_above(const RoomShape& room, const BuiltWall& built) {
+  constexpr double step = 0.5;  // m
+  if (!built.wall->height) return std::nullopt;
+  const double length = built.wall->length();
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  double widest = 0;
+  bool any_narrow = false;
+  for (int k = 0; k <= steps; ++k) {
+    const double gap = ceiling_at(room, built.at(length * k / steps)) - *built.wall->height;
+    any_narrow = any_narrow || (gap > 0 && gap <= widest_gap);
+    widest = std::max(widest, gap);
+  }
+  if (!any_narrow) return std::nullopt;
+  const double bottom = *built.wall->height;
+  return WallOpening{
+      .at = 0, .width = length, .bottom = bottom, .top = bottom + std::min(widest, widest_gap)};
 }
 
-// The gap between a free end of a wall and the next wall.
-std::optional<WallOpening> gap_beside(const RoomShape& room, const InnerWall& wall, bool is_end) {
+// The gap between a free end of a wall and the next wall in line with it.
+std::optional<WallOpening> gap_beside(const RoomShape& room, const std::vector<BuiltWall>& walls,
+                                      const BuiltWall& built, bool is_end) {
   constexpr double step = 0.005;  // m
-  std::vector<Polygon> others;
-  for (std::size_t o = 0; o < room.inner_walls.size(); ++o) {
-    const auto [begin, end] = ends_of(room, o);
-    if (&room.inner_walls[o] != &wall) others.push_back(room.inner_walls[o].footprint(begin, end));
-  }
+  const double length = built.wall->length();
+  const auto beyond = [&](double distance) { return is_end ? length + distance : -distance; };
+  const Vec2 end = built.at(beyond(0));
+  std::vector<const Polygon*> near;
+  const PlanBounds around{{end[0] - widest_gap, end[1] - widest_gap},
+                          {end[0] + widest_gap, end[1] + widest_gap}};
+  for (const BuiltWall& other : walls)
+    if (bounds_of(other.footprint).meets(around)) near.push_back(&other.footprint);
   const auto is_free = [&](const Vec2& p) {
-    return room.covers(p) && std::none_of(others.begin(), others.end(),
-                                          [&](const Polygon& other) { return contains(other, p); });
+    return room.covers(p) &&
+           std::none_of(near.begin(), near.end(), [&](const Polygon* other) { return contains(*other, p); });
   };
-  const auto beyond = [&](double distance) { return is_end ? wall.length() + distance : -distance; };
   double gap = 0;
-  while (gap <= widest_gap && is_free(on_wall(wall, beyond(gap + step / 2)))) gap += step;
+  while (gap <= widest_gap && is_free(built.at(beyond(gap + step / 2)))) gap += step;
   if (gap == 0 || gap > widest_gap) return std::nullopt;
-  const double top = wall.height.value_or(ceiling_at(room, on_wall(wall, beyond(gap / 2))));
-  return WallOpening{.at = is_end ? wall.length() : -gap, .width = gap, .bottom = 0, .top = top};
+  const double top = built.wall->height.value_or(ceiling_at(room, built.at(beyond(gap / 2))));
+  return WallOpening{.at = is_end ? length : -gap, .width = gap, .bottom = 0, .top = top};
 }
 
 // Squares of small sines would cancel.
@@ -142,25 +168,30 @@ struct Density {
 
 RayTargets::RayTargets(const Scene& scene) {
   if (!scene.room) return;
-  for (const InnerWall& wall : scene.room->inner_walls) {
-    std::vector<WallOpening> openings = wall.openings;
-    for (const auto& gap : {gap_above(*scene.room, wall), gap_beside(*scene.room, wall, false),
-                            gap_beside(*scene.room, wall, true)})
+  const RoomShape& room = *scene.room;
+  const std::vector<BuiltWall> walls = built_walls(room);
+  for (const BuiltWall& built : walls) {
+    std::vector<WallOpening> openings = built.wall->openings;
+    for (const auto& gap : {gap_above(room, built), gap_beside(room, walls, built, false),
+                            gap_beside(room, walls, built, true)})
       if (gap) openings.push_back(*gap);
     for (const WallOpening& opening : openings)
-      if (opening.width > 0 && opening.top > opening.bottom) add_rectangle(rectangle_of(wall, opening));
+      if (opening.width > 0 && opening.top > opening.bottom)
+        add_rectangle(rectangle_of(*built.wall, opening));
   }
 }
 
 // A gap between the ends of two walls in line belongs to both.
 void RayTargets::add_rectangle(const Rectangle& rectangle) {
   constexpr double same = 0.01;  // m
-  const auto middle = [](const Rectangle& of) { return of.corner + 0.5 * (of.along + of.up); };
-  for (const Target& target : targets_)
-    if (const auto* const known = std::get_if<Rectangle>(&target);
-        known != nullptr && length(middle(*known) - middle(rectangle)) < same)
-      return;
-  targets_.push_back(rectangle);
+  const auto is_same = [&](const Target& target) {
+    const auto* const known = std::get_if<Rectangle>(&target);
+    if (known == nullptr || std::abs(dot(known->normal, rectangle.normal)) < 0.9) return false;
+    const Vec3 apart = known->corner - rectangle.corner + 0.5 * (known->along + known->up) -
+                       0.5 * (rectangle.along + rectangle.up);
+    return length(apart) < same;
+  };
+  if (std::none_of(targets_.begin(), targets_.end(), is_same)) targets_.push_back(rectangle);
 }
 
 void RayTargets::add_unit(const Vec3& position) {

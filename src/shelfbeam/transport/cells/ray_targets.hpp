@@ -13,8 +13,9 @@
 namespace shelfbeam {
 
 /// Places through which or from which much light may come, although few random rays of a point meet them:
-/// openings of inner walls and gaps above them or beside their free ends, because the room behind may be far
-/// brighter, and the surroundings of units that are mounted close to a surface.
+/// openings of inner walls and gaps of up to a metre above them or beside their free ends, in line with the
+/// wall, because the room behind may be far brighter, and the surroundings of units that are mounted close to
+/// a surface.
 class RayTargets {
  public:
   /// An opening or a gap, in the middle of its wall.

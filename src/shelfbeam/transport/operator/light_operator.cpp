@@ -79,6 +79,26 @@ std::vector<float> lamp_light(const World& world, const SurfaceNodes& nodes, std
   return light;
 }
 
+// The largest growth of the light that labels receive from cells: around the label where light lives longest.
+// Cells that see little but each other would need many rounds, but count only for labels that see them.
+double max_growth(const SurfaceNodes& nodes, const std::vector<LabelHits>& clusters) {
+  std::vector<float> largest(clusters.size());
+  parallel_for_ranges(clusters.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const LabelHits& hits = clusters[k];
+      const auto rows = all_numbers<std::uint32_t>(hits.blocks.size() - 1);
+      std::vector<float> growth(rows.size());
+      for (const std::uint32_t b : rows) growth[b] = nodes.growth()[hits.blocks[b].cell];
+      std::array<float, LabelRows::max_labels> weighted{}, weights{};
+      hits.sums.add_to(rows, growth, weighted.data());
+      hits.sums.add_to(rows, std::vector<float>(rows.size(), 1), weights.data());
+      for (std::size_t c = 0; c < hits.labels.size(); ++c)
+        if (weights[c] > 0) largest[k] = std::max(largest[k], weighted[c] / weights[c]);
+    }
+  });
+  return largest.empty() ? 0 : static_cast<double>(*std::max_element(largest.begin(), largest.end()));
+}
+
 // The relative error of the light from cells that the links between cells cause at the labels of each
 // cluster, all together: they have the same bounces before their own rays. It is the root mean square over
 // the labels, for lamps at random places. Ends early when cancelled.
@@ -114,6 +134,10 @@ std::vector<float> common_errors(const World& world, const SurfaceNodes& nodes,
   std::vector<float> errors;
   for (std::size_t k = 0; k < clusters.size(); ++k)
     errors.push_back(count[k] > 0 ? static_cast<float>(std::sqrt(squares[k] / count[k])) : 0);
+  // No lamp lights some clusters, as in a small closed room.
+  const float largest = errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
+  for (std::size_t k = 0; k < clusters.size(); ++k)
+    if (count[k] == 0) errors[k] = largest;
   return errors;
 }
 
@@ -196,13 +220,14 @@ LightOperator::LightOperator(const World& world, std::uint64_t seed, const Opera
     });
     stop_if_cancelled();
   }
-  mark_seen();
+  finish();
   common_errors_ =
       common_errors(world, nodes_, clusters_, mix_key(stream_, hash64("common errors")), control);
   stop_if_cancelled();
 }
 
-void LightOperator::mark_seen() {
+void LightOperator::finish() {
+  nodes_.choose_rounds(max_growth(nodes_, clusters_));
   seen_.assign(nodes_.cells().size(), 0);
   for (const LabelHits& hits : clusters_) {
     for (const LabelHits::Block& block : std::span(hits.blocks).first(hits.blocks.size() - 1))

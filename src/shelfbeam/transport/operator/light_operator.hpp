@@ -84,7 +84,7 @@ class LightOperator {
  private:
   LightOperator(const World& world, std::uint64_t seed, const OperatorEffort& effort, SurfaceNodes nodes);
   static CheckpointIdentity identity(const World& world, std::uint64_t seed, const OperatorEffort& effort);
-  void mark_seen();
+  void finish();
 
   const World& world_;
   std::uint64_t seed_, stream_;

@@ -131,7 +131,7 @@ std::optional<LightOperator> LightOperator::load(const std::filesystem::path& pa
   read(result.common_errors_);
   if (result.common_errors_.size() != result.clusters_.size()) file.fail();
   if (std::any_of(times.begin(), times.end(), [](std::uint32_t k) { return k != 1; })) file.fail();
-  result.mark_seen();
+  result.finish();
   return result;
 }
 

@@ -59,7 +59,7 @@ SurfaceNodes::SurfaceNodes(std::shared_ptr<const SurfaceCells> cells, std::array
       points_.add(point);
   }
   first_point_.push_back(static_cast<std::uint32_t>(points_.size()));
-  choose_rounds();
+  find_growth();
 }
 
 std::vector<std::uint8_t> SurfaceNodes::narrow_cells(const World& world) const {
@@ -260,15 +260,12 @@ void SurfaceNodes::mean_of_cells(std::span<const std::uint32_t> cells, std::span
   }
 }
 
-// The spectral radius of the links between cells, by power iteration: the largest ratio of light after and
-// before a pair of rounds bounds it from above (Collatz, Wielandt). A few cells that see little but each
-// other do not count.
-double SurfaceNodes::spectral_radius() const {
+// The growth of light in pairs of rounds, by power iteration.
+void SurfaceNodes::find_growth() {
   constexpr int pairs = 10;
-  constexpr double counted = 0.99;  // of the cells
   const std::size_t n = cells_->size();
-  if (n == 0) return 0;
-  std::vector<float> light(n, 1), bounced(n), next(n), ratios(n);
+  std::vector<float> light(n, 1), bounced(n), next(n);
+  growth_.assign(n, 0);
   const auto gather = [&](const SurfaceLinks& half, const std::vector<float>& from, std::vector<float>& to) {
     parallel_for_ranges(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t cell = begin; cell < end; ++cell) to[cell] = half.sum(cell, from);
@@ -278,22 +275,18 @@ double SurfaceNodes::spectral_radius() const {
     gather(cell_halves_[0], light, bounced);
     gather(cell_halves_[1], bounced, next);
     for (std::size_t cell = 0; cell < n; ++cell)
-      ratios[cell] = light[cell] > 0 ? next[cell] / light[cell] : 0;
+      growth_[cell] = light[cell] > 0 ? next[cell] / light[cell] : 0;
     light.swap(next);
   }
-  const auto at = ratios.begin() + static_cast<std::ptrdiff_t>(counted * static_cast<double>(n - 1));
-  std::nth_element(ratios.begin(), at, ratios.end());
-  return std::sqrt(static_cast<double>(*at));
 }
 
 // Chebyshev iteration on eigenvalues of both signs (those between surfaces that face each other are
 // negative), up to the spectral radius. Its error is at most twice the rate to the power of the rounds in all
 // parts of a shop, also where light arrives late.
-void SurfaceNodes::choose_rounds() {
+void SurfaceNodes::choose_rounds(double max_growth) {
   constexpr double max_radius = 0.995, error = 0.002;
-  const double radius = std::min(max_radius, spectral_radius());
-  squared_radius_ = radius * radius;
-  const double rate = radius / (1 + std::sqrt(1 - squared_radius_));
+  squared_radius_ = std::min(max_radius * max_radius, max_growth);
+  const double rate = std::sqrt(squared_radius_) / (1 + std::sqrt(1 - squared_radius_));
   rounds_ = rate > 0 ? static_cast<int>(std::ceil(std::log(error / 2) / std::log(rate))) : 1;
 }
 

@@ -60,6 +60,12 @@ class SurfaceNodes {
   SurfaceField light(const World& world, const UnitBeam& beam, float cap, float requirement,
                      double reach) const;
 
+  /// By cell: the growth of light in two rounds between cells, after many rounds. It is at most the square of
+  /// the spectral radius of the part of the shop around the cell.
+  const std::vector<float>& growth() const { return growth_; }
+  /// Chooses the rounds of `bounce` and `total_light`, which reach 0.2 % of the light where it grows so.
+  void choose_rounds(double max_growth);
+
   /// Adds the further bounces of this light, and of further irradiance by a first bounce (by quadrant; may be
   /// empty).
   void bounce(std::span<const float> first_bounce, SurfaceField& field) const;
@@ -83,8 +89,7 @@ class SurfaceNodes {
                    float requirement, SurfaceField& field) const;
   void add_images(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
                   float requirement, SurfaceField& field) const;
-  double spectral_radius() const;
-  void choose_rounds();
+  void find_growth();
   template <class Sum>
   std::vector<float> iterate(std::span<const std::uint32_t> cells, const std::vector<float>& source,
                              std::vector<float> light, const Sum& sum) const;
@@ -97,7 +102,8 @@ class SurfaceNodes {
   std::array<SurfaceLinks, 2> cell_halves_;  // and between cells
   BeamPoints points_;
   std::vector<std::uint32_t> first_point_;  // by quadrant
-  double squared_radius_ = 0;               // of eigenvalues of the links between cells
+  std::vector<float> growth_;
+  double squared_radius_ = 0;  // of eigenvalues of the links between cells
   int rounds_ = 1;
 };
 

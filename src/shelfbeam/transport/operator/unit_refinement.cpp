@@ -99,7 +99,7 @@ void UnitRefinement::evaluate(std::size_t item) {
 }
 
 void UnitRefinement::fill(std::size_t label, std::size_t unit, Preview& preview) const {
-  preview.signal[label] = signal(label, unit);
+  preview.signal[label] = std::max(0.0F, signal(label, unit));  // noise may be below zero
   preview.error[label] = standard_error(label, unit);
   preview.doubts[label] = is_skewed(label, unit) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
 }

@@ -11,20 +11,6 @@ namespace shelfbeam {
 
 namespace {
 
-// The probability that a path continues. A generation multiplies the variance by albedo^2 over it, so it is
-// near the albedo; in steps, so that paths of runs that differ a little in a reflectance are the same, and
-// their difference is precise.
-double survival_at(double albedo, double least) {
-  struct Step {
-    double max_albedo, survival;
-  };
-  constexpr std::array<Step, 4> steps{{{0.77, 0}, {0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
-  constexpr double brightest = 0.99;
-  for (const Step& step : steps)
-    if (albedo <= step.max_albedo) return std::max(least, step.survival);
-  return std::max(least, brightest);
-}
-
 // Share of the rays at a vertex that do not leave by its base. Where other vertices share the base, some of
 // them see more of it than this path.
 double share_otherwise(const PathVertex& vertex) {
@@ -47,6 +33,18 @@ std::uint32_t rays_otherwise(const PathVertex& vertex, double share, std::uint32
 }
 
 }  // namespace
+
+// A generation multiplies the variance by albedo^2 over the survival.
+double survival_at(double albedo) {
+  struct Step {
+    double max_albedo, survival;
+  };
+  constexpr std::array<Step, 4> steps{{{0.77, 0.7}, {0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
+  constexpr double of_brighter = 0.99;
+  for (const Step& step : steps)
+    if (albedo <= step.max_albedo) return step.survival;
+  return of_brighter;
+}
 
 // The end of a ray and the weight of the radiance from there.
 struct Residual::Found {
@@ -218,7 +216,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 
-    const double survival = survival_at(vertex.albedo, effort_.survival);
+    const double survival = std::max(effort_.survival, survival_at(vertex.albedo));
     next.chances[a] = survival * (1 - otherwise);
     const double u = random.uniform();
     if (u >= survival) continue;

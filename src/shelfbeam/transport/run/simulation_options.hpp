@@ -75,6 +75,10 @@ struct SimulationOptions {
   /// Fill SignalMatrix::by_length; requires walks that also sample direct light.
   LengthSteps by_length = {};
 
+  /// For path reuse: paths continue everywhere as at a surface of this albedo, or a brighter one. Runs of one
+  /// seed that differ in reflectances up to this one take the same paths, so their differences are precise.
+  double brightest = 0;
+
   std::optional<RelativeError> relative_error = {};  ///< stop when the matrix is precise enough
   std::optional<double> time_s = {};                 ///< time limit; at least `min_batches` are computed
   std::size_t memory = 0;                            ///< memory limit, bytes; 0: none

@@ -13,7 +13,7 @@ namespace shelfbeam {
 namespace {
 
 // The same material with a rough coat, if it has a smooth one. Connections over facets of this roughness have
-// a small variance, and the directions of reflections spread by some degrees, less than on a curved surface.
+// a small variance, and the directions of reflections spread by some degrees only.
 std::optional<Material> rough(const Material& material) {
   constexpr double roughness = 0.1;
   const auto* const plastic = std::get_if<Plastic>(&material);

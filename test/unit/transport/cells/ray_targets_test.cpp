@@ -89,17 +89,26 @@ TEST(RayTargets, GapsAboveAWallAndBesideItsEndsAreOpenings) {
   EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), above, 1e-3 * above);
   wall.height = 1.9;  // ordinary rays find 1.1 m
   EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  // Below a slope, the part up to a metre counts where the gap is narrower in places.
+  scene.room->height.points = {{{0, 0, 1.9}, {8, 0, 1.9}, {0, 6, 3.9}}};
+  const double sloped = (solid_angle(6, 2.8, 2) - solid_angle(6, 0.8, 2)) / 2;
+  EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), sloped, 1e-3 * sloped);
+  scene.room->height = {3, {}};
   wall.height.reset();
   wall.to = {4, 5.88};
   const double beside = (solid_angle(6, 3, 2) - solid_angle(5.76, 3, 2)) / 2;
   EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), beside, 0.03 * beside);  // found to 5 mm
-  // Closed by another wall, and a gap that belongs to the ends of two walls.
+  wall.to = {4, 5.96};  // built into the wall of the room
+  EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  wall.to = {4, 5.88};
+  // Closed by another wall.
   scene.room->inner_walls.push_back({"corner", {3, 5.9}, {5, 5.9}, 0.3, {}, {}});
   EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
   // A corner of two walls is closed, although the far wall is less than a metre away.
   scene.room->inner_walls = {{"one", {4, 0}, {4, 5.5}, 0.1, {}, {}},
                              {"other", {4, 5.5}, {8, 5.5}, 0.1, {}, {}}};
   EXPECT_EQ(seen(RayTargets(scene), from, {1, 0, 0}), 0);
+  // A gap that belongs to the ends of two walls.
   scene.room->inner_walls = {{"one", {4, 0}, {4, 2.9}, 0.1, {}, {}},
                              {"other", {4, 3.1}, {4, 6}, 0.1, {}, {}}};
   EXPECT_NEAR(seen(RayTargets(scene), from, {1, 0, 0}), solid_angle(0.2, 3, 2),

@@ -91,6 +91,26 @@ TEST(PreviewAccuracy, StatesItsErrorsBehindAFixture) {
   }
 }
 
+// So does light in a white room behind a door of a dark hall, although the room has less than 1 % of the
+// surfaces.
+TEST(PreviewAccuracySlow, StatesItsErrorsInAWhiteRoomOfADarkHall) {
+  test::ZooStore store = test::ZooStore(60, 40, 3, 0.4);
+  store.paint("white", 0.92)
+      .inner_wall({57, 37}, {60, 37}, 0.3)
+      .inner_wall({57, 37}, {57, 40})
+      .box({57.05, 37.05, 0}, {60, 40, 0.02}, "white")
+      .box({57.05, 37.05, 2.98}, {60, 40, 3}, "white")
+      .box({57.05, 37.2, 0.02}, {57.07, 40, 2.98}, "white")
+      .box({59.98, 37.05, 0.02}, {60, 39.98, 2.98}, "white")
+      .box({57.05, 39.98, 0.02}, {60, 40, 2.98}, "white");
+  for (int k = 0; k < 12; ++k) store.label({59.97, 37.4 + 0.2 * k, 0.3 + 0.5 * (k % 4)}, {-1, 0, 0});
+  for (int k = 0; k < 4; ++k) store.label({3 + 12.0 * k, 0.01, 0.3 + 0.5 * (k % 4)}, {0, 1, 0});
+  store.unit({58.5, 38.5, 2.9}).unit({58, 39, 2}, {-1, 0, 0});
+  const Accuracy found = accuracy_in(make_scene(parse_store(store.text(), "hall", ".")), 8000, 3);
+  EXPECT_GT(found.inside, 0.85);
+  EXPECT_LT(found.inside_if_wrong, 0.4);
+}
+
 TEST(PreviewAccuracy, DoubtsStripsNarrowerThanItsCells) {
   const auto doubtful = [](double gap) {
     const Scene scene = behind_a_box(0.7, gap);
