@@ -33,7 +33,7 @@ class PreviewError {
   PreviewError(const OperatorEffort& effort, const SurfaceField& field)
       : of_squares_(1.6F + 24 / static_cast<float>(effort.label_rays)),
         of_mean_(0.011F * std::sqrt(256 / static_cast<float>(effort.label_rays))),
-        of_flux_(1.4F * field.flux_error),
+        of_flux_(1.7F * field.flux_error),
         omitted_(1.8F * field.omitted) {}
 
   // Of the label c of a cluster. `common`: the cluster's common error; `response`: the label's largest.
