@@ -207,8 +207,7 @@ void compare_with_paper(const OverSeeds& settings) {
     print_head(store, settings, one.matrix);
     fmt::print(
         "  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s, "
-        "particles "
-        "{:.3f} s; ",
+        "particles {:.3f} s; ",
         ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none),
         particles.cpu_seconds(none));
     fmt::print("the references, {} samples in total: {:.0f} s\n", settings.reference_samples,

@@ -64,8 +64,13 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
   UnitGroups units(world);
   ASSERT_GT(BrightSpots(world, units, 1, {.min_cap_distance = 3}).size(), 0U);
   const SignalMatrix reference = test::reuse(scene, 24, 1000);
-  const ReuseEffort least{
-      .lookups = 8, .points = 1, .stake = 0.3, .gather_rays = 3, .later_gather_rays = 2, .group = 1};
+  const ReuseEffort least{.lookups = 8,
+                          .points = 1,
+                          .stake = 0.3,
+                          .gather_rays = 3,
+                          .later_gather_rays = 2,
+                          .group = 1,
+                          .survival = 0.5};
   const std::vector<std::pair<const char*, ReuseEffort>> efforts{
       {"few gathering rays", {.gather_rays = 1, .later_gather_rays = 1}},
       {"no groups", {.group = 1}},
@@ -79,7 +84,8 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
       {"large spots", {.spots = {.min_cap_distance = 3}}},
       {"spots of old", {.spots = {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false}}},
       {"spots close by", {.spots = {.min_cap_distance = 3, .near_distance = 3}}},
-      {"little of all", least}};
+      {"little of all", least},
+      {"shorter paths", {.survival = 0.3}}};
   std::uint64_t seed = 1;
   for (const auto& [name, effort] : efforts)
     expect_same(test::reuse(scene, 3, ++seed, effort), reference, name);

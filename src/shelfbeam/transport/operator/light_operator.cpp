@@ -79,6 +79,17 @@ std::vector<float> lamp_light(const World& world, const SurfaceNodes& nodes, std
   return light;
 }
 
+// By label of a cluster: the sum over cells of a value times the label's weight of the cell.
+template <class Value>
+std::array<float, LabelRows::max_labels> sums_over_cells(const LabelHits& hits, const Value& value_of) {
+  const auto rows = all_numbers<std::uint32_t>(hits.blocks.size() - 1);
+  std::vector<float> values(rows.size());
+  for (const std::uint32_t b : rows) values[b] = value_of(hits.blocks[b].cell);
+  std::array<float, LabelRows::max_labels> sums{};
+  hits.sums.add_to(rows, values, sums.data());
+  return sums;
+}
+
 // The largest growth of the light that labels receive from cells: around the label where light lives longest.
 // Cells that see little but each other would need many rounds, but count only for labels that see them.
 double max_growth(const SurfaceNodes& nodes, const std::vector<LabelHits>& clusters) {
@@ -86,12 +97,8 @@ double max_growth(const SurfaceNodes& nodes, const std::vector<LabelHits>& clust
   parallel_for_ranges(clusters.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const LabelHits& hits = clusters[k];
-      const auto rows = all_numbers<std::uint32_t>(hits.blocks.size() - 1);
-      std::vector<float> growth(rows.size());
-      for (const std::uint32_t b : rows) growth[b] = nodes.growth()[hits.blocks[b].cell];
-      std::array<float, LabelRows::max_labels> weighted{}, weights{};
-      hits.sums.add_to(rows, growth, weighted.data());
-      hits.sums.add_to(rows, std::vector<float>(rows.size(), 1), weights.data());
+      const auto weighted = sums_over_cells(hits, [&](std::uint32_t cell) { return nodes.growth()[cell]; });
+      const auto weights = sums_over_cells(hits, [](std::uint32_t) { return 1.0F; });
       for (std::size_t c = 0; c < hits.labels.size(); ++c)
         if (weights[c] > 0) largest[k] = std::max(largest[k], weighted[c] / weights[c]);
     }
@@ -114,17 +121,13 @@ std::vector<float> common_errors(const World& world, const SurfaceNodes& nodes,
     parallel_for_ranges(clusters.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const LabelHits& hits = clusters[k];
-        const auto rows = all_numbers<std::uint32_t>(hits.blocks.size() - 1);
-        std::vector<float> values(rows.size());
-        std::array<std::array<float, LabelRows::max_labels>, 2> sums{};
-        for (std::size_t which = 0; which < 2; ++which) {
-          for (const std::uint32_t b : rows)
-            values[b] = light[which][hits.blocks[b].cell] - straight[hits.blocks[b].cell];
-          hits.sums.add_to(rows, values, sums[which].data());
-        }
+        const auto bounced = [&](const std::vector<float>& all) {
+          return sums_over_cells(hits, [&](std::uint32_t cell) { return all[cell] - straight[cell]; });
+        };
+        const auto mean = bounced(light[0]), sampled = bounced(light[1]);
         for (std::size_t c = 0; c < hits.labels.size(); ++c) {
-          if (!(sums[0][c] > 0)) continue;
-          const double error = static_cast<double>(sums[1][c]) / static_cast<double>(sums[0][c]) - 1;
+          if (!(mean[c] > 0)) continue;
+          const double error = static_cast<double>(sampled[c]) / static_cast<double>(mean[c]) - 1;
           squares[k] += error * error;
           ++count[k];
         }

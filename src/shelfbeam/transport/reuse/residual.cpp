@@ -39,7 +39,7 @@ double survival_at(double albedo) {
   struct Step {
     double max_albedo, survival;
   };
-  constexpr std::array<Step, 4> steps{{{0.77, 0.7}, {0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
+  constexpr std::array<Step, 4> steps{{{0.77, 0}, {0.85, 0.8}, {0.93, 0.9}, {0.975, 0.96}}};
   constexpr double of_brighter = 0.99;
   for (const Step& step : steps)
     if (albedo <= step.max_albedo) return step.survival;

@@ -78,8 +78,8 @@ struct ResidualRows {
   LaneRow base, own;
 };
 
-/// The probability that a path continues at a surface: near its albedo, in steps, so that runs that differ a
-/// little in a reflectance take the same paths.
+/// The min probability that a path continues at a surface: near its albedo, in steps, so that runs that
+/// differ a little in a reflectance take the same paths. 0 for surfaces that are not bright.
 double survival_at(double albedo);
 
 /// Numbers of rays and paths; tau is the smallest requirement.
@@ -100,7 +100,7 @@ struct ReuseEffort {
   /// small clusters then have more points.
   bool seeks_rare_light = true;
   bool is_hidden = false;  ///< units shine mostly there, which cells from elsewhere do not tell
-  double survival = 0;     ///< min probability of a continuation, above survival_at
+  double survival = 0.7;   ///< min probability of a continuation; bright surfaces have survival_at
 };
 
 /// The effort where batches should be short rather than precise.

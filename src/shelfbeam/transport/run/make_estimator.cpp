@@ -72,9 +72,11 @@ void expect_at_most(double work, std::size_t labels, std::size_t sources, const 
 
 std::unique_ptr<Estimator> make_whole(const World& world, const SimulationOptions& options,
                                       const RunControl& control) {
-  if (options.estimator == EstimatorKind::reuse)
-    return std::make_unique<ReuseEstimator>(world, options.seed,
-                                            ReuseEffort{.survival = survival_at(options.brightest)}, control);
+  if (options.estimator == EstimatorKind::reuse) {
+    ReuseEffort effort;
+    effort.survival = std::max(effort.survival, survival_at(options.brightest));
+    return std::make_unique<ReuseEstimator>(world, options.seed, effort, control);
+  }
   return std::make_unique<UniformEstimator>(world, options.rules(), options.seed,
                                             options.uniform_samples_per_batch(), options.by_bounce,
                                             options.by_length);
