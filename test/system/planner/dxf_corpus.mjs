@@ -1,6 +1,6 @@
 // node dxf_corpus.mjs PACKAGES OUT: writes DXF files with ezdxf, reads each in a process of its own, and compares what
-// the planner's reader finds with what ezdxf says. Each may take 3 s of processor time and 500 MB. Then reads 500 damaged
-// versions of a foreign drawing. Without ezdxf, exits with 77, or with an error in continuous integration (CI is set).
+// the planner's reader finds with what ezdxf says. Each may take 500 MB. Then reads 500 damaged versions of a foreign
+// drawing. Without ezdxf, exits with 77, or with an error in continuous integration (CI is set).
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -13,7 +13,6 @@ import { gunzipSync } from "node:zlib";
 import { mutantOf } from "../../data/dxf_mutants.mjs";
 
 const mutants = 500;
-const mostSeconds = 3;
 const mostMegabytes = 500;
 
 const sortedBy = (list, key) => [...list].sort((a, b) => (key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0));
@@ -87,9 +86,7 @@ async function readMutants(bundle) {
       ++counts.refused;
     }
     const { user, system } = process.cpuUsage(before);
-    const seconds = (user + system) / 1e6;
-    assert.ok(seconds <= mostSeconds, `mutant ${key} takes ${seconds} s`);
-    counts.slowest = Math.max(counts.slowest, seconds);
+    counts.slowest = Math.max(counts.slowest, (user + system) / 1e6);
   }
   assert.ok(counts.read > 0 && counts.refused > 0);
   console.log(`damaged drawings: ${JSON.stringify(counts)}`);
@@ -160,7 +157,6 @@ function run(packages, out) {
       if (result.seconds > slowest.seconds) slowest = { name, ...result };
       if (result.megabytes > largest.megabytes) largest = { name, ...result };
       compare(result, expected);
-      assert.ok(result.seconds <= mostSeconds, `takes ${result.seconds} s`);
       assert.ok(result.megabytes <= mostMegabytes, `takes ${result.megabytes} MB`);
       if (name === "blocks_R2010.dxf") control = { result, expected };
     } catch (error) {

@@ -374,22 +374,19 @@ test("a model space of objects that are not shown is refused with their names an
   assert.deepEqual(drawn(line(0, 0, 1, 1), entity("AEC_WALL")).notes, [{ code: "aec", name: "AEC_WALL", count: 1 }]);
 });
 
-/** Seconds of the processor. */
-function secondsOf(work) {
-  const before = process.cpuUsage();
-  work();
-  const { user, system } = process.cpuUsage(before);
-  return (user + system) / 1e6;
-}
-
-test("texts that repeat a command are read in a time that their size requires", () => {
+test("texts that repeat a command are read in a time proportional to their length", () => {
   const commands = ["\\pxq", "\\f", "\\S1", "\\M+18341", "\\U+00e4", "\\\\", "\\p\\\\", "{\\H", "%%", "^", "{"];
-  for (const command of commands)
-    for (const type of ["MTEXT", "TEXT"]) {
-      const text = command.repeat(320e3 / command.length);
-      const seconds = secondsOf(() => drawn(line(0, 0, 1, 1), entity(type, 10, 0, 20, 0, 40, 1, 1, text)));
-      assert.ok(seconds < 1, `${command} in ${type}: ${seconds} s`);
-    }
+  const secondsFor = (length) => {
+    const before = process.cpuUsage();
+    for (const command of commands)
+      for (const type of ["MTEXT", "TEXT"])
+        drawn(line(0, 0, 1, 1), entity(type, 10, 0, 20, 0, 40, 1, 1, command.repeat(length / command.length)));
+    const { user, system } = process.cpuUsage(before);
+    return (user + system) / 1e6;
+  };
+  secondsFor(20e3);
+  const ratio = secondsFor(640e3) / secondsFor(160e3); // 16, if the time grew with the square
+  assert.ok(ratio < 10, `${ratio}`);
 });
 
 test("a drawing that takes a minute is given up", async () => {
@@ -683,8 +680,6 @@ test("damaged versions of a foreign drawing are read or refused", () => {
   const house = gunzipSync(readFileSync(`${data}/house.dxf.gz`));
   assert.equal(readDxf(house).layers.length, 17);
   for (let key = 0; key < Number(process.env.DXF_MUTANTS ?? 40); ++key) {
-    const mutant = mutantOf(house, key);
-    const seconds = secondsOf(() => readsOrRefuses(mutant));
-    assert.ok(seconds < 3, `mutant ${key} takes ${seconds} s`);
+    readsOrRefuses(mutantOf(house, key));
   }
 });
