@@ -3,6 +3,8 @@
 import { check, equal } from "../viewer/check.mjs";
 import { placed, testPlanner } from "./opened.mjs";
 
+const placeOf = ({ at, rotation_deg }) => [at, rotation_deg];
+
 testPlanner("a drag moves, whole centimetres, one step", { smoke: true }, async (tab) => {
   await tab.press("+", "+", "+"); // so that neighbours attract from 14 cm only
   await tab.drag([10, 9.85], [11, 10.35]);
@@ -10,33 +12,30 @@ testPlanner("a drag moves, whole centimetres, one step", { smoke: true }, async 
   placed(tab.json.fixtures[2].at, [6, 9.9]);
   equal(await tab.labels(), ["Move A3"]);
   await tab.click(10, 7.45);
-  await tab.page.keyboard.down("Shift");
-  await tab.click(10, 5.05);
-  await tab.page.keyboard.up("Shift");
+  await tab.click(10, 5.05, { keys: ["Shift"] });
   await tab.drag([10, 7.45], [10, 8]);
   await tab.steps(2);
-  placed(
-    [tab.json.fixtures[0].at, tab.json.fixtures[1].at],
-    [
-      [5, 5.15],
-      [5, 7.55],
-    ],
-  );
+  placed([tab.json.fixtures[0].at, tab.json.fixtures[1].at].flat(), [5, 5.15, 5, 7.55]);
   equal((await tab.labels())[1], "Move 2 fixtures");
 });
 
-testPlanner("a dragged element holds on to its neighbour", {}, async (tab) => {
+testPlanner("a dragged element holds on to its neighbour, with Shift on one axis", {}, async (tab) => {
   // F1 touches F2.
   const [, y] = tab.json.fixtures[8].at;
-  const during = async () => check((await tab.page.$(".overlay .guide.line")) !== null, "no guide");
+  const during = async () => check(await tab.has(".overlay .guide.line"), "no guide");
   await tab.drag([11, 14.6], [11.3, 14.4], { during });
   await tab.steps(1);
   equal(tab.json.fixtures[8].at[1], y);
+  await tab.click(10, 9.85);
+  await tab.drag([10, 9.85], [11, 10.1], { keys: ["Shift"] });
+  await tab.steps(2);
+  placed(tab.json.fixtures[2].at, [6, 9.4]);
+  equal(tab.json.fixtures[2].at[1], 9.4);
 });
 
 for (const key of ["Escape", "Control+z"])
   testPlanner(`${key} in the middle of a gesture cancels it`, {}, async (tab) => {
-    const outline = () => tab.page.evaluate(() => document.querySelector('[data-key="fixtures/8"]').getAttribute("d"));
+    const outline = () => tab.evaluate(() => document.querySelector('[data-key="fixtures/8"]').getAttribute("d"));
     const before = await outline();
     const during = async () => {
       check((await outline()) !== before, "the outline follows the pointer");
@@ -81,7 +80,11 @@ testPlanner("undo and redo in quick succession lose no step, and no nudge joins 
 
 testPlanner("arrows move by 1 cm, with Shift by 10, and nudges join", {}, async (tab) => {
   await tab.click(10, 9.85);
-  await tab.press("ArrowRight", "ArrowRight", "ArrowRight");
+  // In one task, so that they join.
+  await tab.evaluate(() => {
+    const key = { key: "ArrowRight", code: "ArrowRight", bubbles: true, cancelable: true };
+    for (let k = 0; k < 3; ++k) document.activeElement.dispatchEvent(new KeyboardEvent("keydown", key));
+  });
   await tab.steps(1);
   equal(tab.json.fixtures[2].at, [5.03, 9.4]);
   await tab.press("Shift+ArrowUp");
@@ -93,38 +96,36 @@ testPlanner("R turns about the middle, the handle by 15 degrees, Alt by one", {}
   await tab.click(11, 14.4);
   await tab.press("r");
   await tab.steps(1);
-  equal([tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg], [[11.4, 9.6], 90]);
-  await tab.press("Control+z");
-  await tab.steps(0);
+  equal(placeOf(tab.json.fixtures[8]), [[11.4, 9.6], 90]);
+  const undo = async () => {
+    await tab.press("Control+z");
+    await tab.steps(0);
+  };
+  await undo();
   const turn = await tab.grip("turn");
   const middle = await tab.at(11, 14.6);
   const radius = middle[1] - turn[1];
-  const to = (degrees) => {
-    const angle = (degrees * Math.PI) / 180;
-    return [middle[0] - radius * Math.sin(angle), middle[1] - radius * Math.cos(angle)];
-  };
-  await tab.dragPixels(turn, to(50));
-  await tab.steps(1);
-  equal(tab.json.fixtures[8].rotation_deg, 45);
-  await tab.press("Control+z");
-  await tab.steps(0);
-  await tab.dragPixels(await tab.grip("turn"), to(50), { keys: ["Alt"] });
-  await tab.steps(1);
-  check(Math.abs(tab.json.fixtures[8].rotation_deg - 50) <= 2, String(tab.json.fixtures[8].rotation_deg));
-});
-
-testPlanner("a group turns about its middle", {}, async (tab) => {
+  const angle = (50 * Math.PI) / 180;
+  const to = [middle[0] - radius * Math.sin(angle), middle[1] - radius * Math.cos(angle)];
+  for (const [keys, expected, slack] of [
+    [[], 45, 0],
+    [["Alt"], 50, 2],
+  ]) {
+    await tab.dragPixels(await tab.grip("turn"), to, { keys });
+    await tab.steps(1);
+    const { rotation_deg } = tab.json.fixtures[8];
+    check(Math.abs(rotation_deg - expected) <= slack, `${rotation_deg} instead of ${expected}`);
+    await undo();
+  }
   await tab.drag([5.6, 16.2], [16.6, 13.9]);
   equal(await tab.selected(), ["/fixtures/8", "/fixtures/9"]);
   await tab.press("r");
   await tab.steps(1);
-  equal(
-    tab.json.fixtures.slice(8, 10).map(({ at, rotation_deg }) => [at, rotation_deg]),
-    [
-      [[11.8, 10], 90],
-      [[11, 10], 90],
-    ],
-  );
+  const group = [
+    [[11.8, 10], 90],
+    [[11, 10], 90],
+  ];
+  equal(tab.json.fixtures.slice(8, 10).map(placeOf), group, "a group turns about its middle");
 });
 
 testPlanner("a handle moves one side, the opposite one stays, also when turned", {}, async (tab) => {
@@ -156,32 +157,22 @@ testPlanner("deleted elements leave the selection, and the others keep their pla
 });
 
 testPlanner("align, distribute and mirror", {}, async (tab) => {
-  const places = () => tab.json.fixtures.slice(0, 4).map(({ at }) => at);
+  const axis = (k) => tab.json.fixtures.slice(0, 4).map(({ at }) => at[k]);
   await tab.click(10, 9.85);
+  await tab.press("Shift+H");
+  await tab.notice("This changes nothing.");
+  check(await tab.isUntouched(), "the store is untouched");
   await tab.press("Shift+ArrowRight", "Shift+ArrowDown");
   await tab.steps(2);
-  await tab.page.keyboard.down("Shift");
-  for (const y of [5.05, 7.45, 12.25]) await tab.click(10, y);
-  await tab.page.keyboard.up("Shift");
-  await tab.push('[data-key="tool-align_left"]');
+  for (const y of [5.05, 7.45, 12.25]) await tab.click(10, y, { keys: ["Shift"] });
+  await tab.use("tool-align_left");
   await tab.steps(3);
-  equal([places().map(([x]) => x), (await tab.labels())[2]], [[5, 5, 5, 5], "Align 4 fixtures"]);
-  await tab.push('[data-key="tool-distribute_y"]');
+  equal([axis(0), (await tab.labels())[2]], [[5, 5, 5, 5], "Align 4 fixtures"]);
+  await tab.use("tool-distribute_y");
   await tab.steps(4);
-  equal([places().map(([, y]) => y), (await tab.labels())[3]], [[4.6, 7, 9.4, 11.8], "Distribute 4 fixtures"]);
+  equal([axis(1), (await tab.labels())[3]], [[4.6, 7, 9.4, 11.8], "Distribute 4 fixtures"]);
   await tab.click(11, 14.4);
   await tab.press("Shift+V");
   await tab.steps(5);
-  equal(
-    [tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg, (await tab.labels())[4]],
-    [[16, 15], 180, "Mirror F1"],
-  );
-});
-
-testPlanner("Shift keeps a drag on one axis", {}, async (tab) => {
-  await tab.click(10, 9.85);
-  await tab.drag([10, 9.85], [11, 10.1], { keys: ["Shift"] });
-  await tab.steps(1);
-  placed(tab.json.fixtures[2].at, [6, 9.4]);
-  equal(tab.json.fixtures[2].at[1], 9.4);
+  equal([...placeOf(tab.json.fixtures[8]), (await tab.labels())[4]], [[16, 15], 180, "Mirror F1"]);
 });

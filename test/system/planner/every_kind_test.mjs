@@ -1,4 +1,4 @@
-// Tests one element of each kind in each example: moved, turned, changed by its panel, and undone.
+// Tests one element of each kind: moved, turned, changed by its panel, and undone.
 
 import { check, equal } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
@@ -15,12 +15,6 @@ const stays = {
  */
 const room = ["room by its size", "Room", "size/2", "5", { moves: stays.room, turns: stays.room }];
 const tables = {
-  thesis: [
-    room,
-    ["gondola", "A1", "length", "11.5", { at: [10, 2.45] }],
-    ["freezer", "F1", "height", "85cm", { at: [10, 13.3] }],
-    ["grid", "Grid 1", "z", "3.9", { at: [0.5, 4] }],
-  ],
   grocery: [
     room,
     ["gondola", "A2", "stocking", "0.5", { at: [10, 7.45] }],
@@ -62,30 +56,11 @@ const tables = {
     ["faces", "Faces 2", "z", "2.4", { moves: stays.follows, turns: stays.follows }],
     ["keep_out", "Keep-out 1", "z/1", "4", { at: [9.5, 9] }],
   ],
-  supermarket: [
-    room,
-    ["gondola", "V1", "depth", "1.1"],
-    ["freezer", "S1", "height", "1.1"],
-    ["box", "S1b", "max/2", "90cm"],
-    ["label", "T1-belt-1", "position/2", "0.8"],
-    ["grid", "Grid 1", "z", "4.3", { at: [1, 6] }],
-    ["keep_out", "Keep-out 2", "min/0", "33.5"],
-  ],
-  hypermarket: [
-    room,
-    ["gondola", "V1", "depth", "1.1"],
-    ["freezer", "S1", "height", "1.1"],
-    ["box", "S1b", "max/2", "90cm"],
-    ["label", "T1-belt-1", "position/2", "0.8"],
-    ["grid", "Grid 1", "z", "5.3", { at: [2, 7.2] }],
-    ["keep_out", "Keep-out 3", "min/0", "26"],
-  ],
 };
 
 /** The kinds of the list, but fixtures by their types, and those apart that move in another way. */
 const kindsIn = (tab) =>
-  tab.page.evaluate(() => {
-    const { document: store } = window.shelfbeamPlanner.planner;
+  tab.state(({ planner: { document: store } }) => {
     const { room, fixtures, labels, transceivers } = store.json;
     const some = (kind, list) => (Array.isArray(list) && list.length > 0 ? [kind] : []);
     const areas = transceivers.areas ?? [];
@@ -115,14 +90,10 @@ async function select(tab, kind, name) {
   await tab.page.selectOption(".objects select", kindOfRow(kind));
   await tab.page.fill(".objects input[type=search]", kindOfRow(kind) === "fixture" ? name.split("{")[0] : "");
   await tab.settle();
-  const row = await tab.page.evaluate(
-    (of) =>
-      [...document.querySelectorAll(".object")].findIndex((one) => {
-        const [first, last] = one.querySelector(".name").textContent.split("–");
-        return last === undefined ? first === of : first === of.replace("{n}", "1");
-      }),
-    name,
-  );
+  const row = (await tab.texts(".object .name")).findIndex((shown) => {
+    const [first, last] = shown.split("–");
+    return first === (last === undefined ? name : name.replace("{n}", "1"));
+  });
   check(row >= 0, `${name} is in the list`);
   await tab.page.click(`.object >> nth=${row}`);
   await tab.page.focus(".surface");
@@ -140,10 +111,10 @@ async function testKind(tab, [kind, name, field, typed, { at, arrow = "Shift+Arr
   let steps = 0;
   const change = async (what, act, why) => {
     const before = JSON.stringify(value());
-    await tab.page.evaluate(() => window.shelfbeamPlanner.planner.say(""));
+    await tab.hush();
     await act();
     if (why) {
-      await tab.until((of) => document.querySelector(".notice").textContent.includes(of), why);
+      await tab.notice(why);
       equal(JSON.stringify(value()), before, `${name} after it says why it stays`);
       return;
     }
@@ -173,10 +144,7 @@ async function testKind(tab, [kind, name, field, typed, { at, arrow = "Shift+Arr
 for (const [store, table] of Object.entries(tables))
   testPlanner(`one element of each kind of ${store} moves, turns, changes, and comes back`, { store }, async (tab) => {
     const listed = new Set(table.map(([kind]) => kind));
-    equal(
-      [...new Set(await kindsIn(tab))].filter((kind) => !listed.has(kind)),
-      [],
-      "kinds that are not tested",
-    );
+    const missing = (await kindsIn(tab)).filter((kind) => !listed.has(kind));
+    equal(missing, [], "kinds that are not tested");
     for (const row of table) await testKind(tab, row);
   });

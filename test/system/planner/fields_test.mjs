@@ -3,61 +3,42 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { check, equal, says } from "../viewer/check.mjs";
+import { check, equal } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
-import { smallShop } from "./small_shop.mjs";
+import { smallShop } from "./shops.mjs";
 
-const has = (tab, selector) => tab.page.evaluate((of) => document.querySelector(of) !== null, selector);
+const key = (name) => `[data-key="${name}"]`;
 
 testPlanner("an error shows while somebody types, and when the answer comes", {}, async (tab) => {
   await tab.click(11, 14.4);
-  const type = async (key, typed) => {
-    await tab.page.focus(`[data-key="${key}"]`);
-    await tab.page.keyboard.press("Control+a");
-    await tab.page.keyboard.insertText(typed);
-  };
-  await type("field/height", "high");
+  await tab.type("field/height", "high");
   await tab.until(() => document.querySelector(".why:not([hidden])")?.textContent.startsWith("Not a length"));
-  await type("field/height", "1.4");
+  await tab.type("field/height", "1.4");
   await tab.until(() => document.querySelector(".why:not([hidden])") === null);
   const release = tab.server.wire.hold();
-  await type("field/length", "2000");
+  await tab.type("field/length", "2000");
   await tab.press("Tab");
   await tab.page.keyboard.insertText("1");
   release();
   await tab.until(() => document.querySelector('[data-field="/length"] .problem') !== null);
-  equal(await tab.page.evaluate(() => document.activeElement.value), "1", "the field that is being typed in");
+  equal(await tab.evaluate(() => document.activeElement.value), "1", "the field that is being typed in");
   await tab.press("Escape");
 });
 
 testPlanner("Esc in a field takes the error back with the text", {}, async (tab) => {
   await tab.click(11, 14.4);
   const field = () =>
-    tab.page.evaluate(() => {
+    tab.evaluate(() => {
       const input = document.querySelector('[data-key="field/height"]');
       return [input.value, input.ariaInvalid, document.querySelector(".why:not([hidden])") === null];
     });
   const [shown] = await field();
-  await tab.fill("field/height", "high");
-  equal(await field(), ["high", "true", false]);
-  await tab.press("Escape");
-  equal(await field(), [shown, "false", true]);
-  await tab.fill("field/height", "high");
-  equal(await field(), ["high", "true", false], "the same mistake again");
-  await tab.press("Escape");
-});
-
-testPlanner("a reset is offered where a preset or a default takes its place", {}, async (tab) => {
-  await tab.click(10, 9.85);
-  await tab.until(() => document.querySelector('[data-key="field/length"]')?.placeholder === "12");
-  check(!(await has(tab, '[data-key="field/at/reset"]')), "a place cannot be left out");
-  check(!(await has(tab, '[data-key="field/id/reset"]')), "an id cannot be left out");
-  await tab.fill("field/length", "3");
-  await tab.steps(1);
-  await tab.push('[data-key="field/length/reset"]');
-  await tab.steps(2);
-  await tab.click(11, 14.4);
-  check(!(await has(tab, '[data-key="field/length/reset"]')), "without a preset, a length cannot be left out");
+  for (const what of ["a mistake", "the same mistake again"]) {
+    await tab.fill("field/height", "high");
+    equal(await field(), ["high", "true", false], what);
+    await tab.press("Escape");
+    equal(await field(), [shown, "false", true], what);
+  }
 });
 
 /** A fixture with an angle of its own in place of that of its preset. */
@@ -71,34 +52,39 @@ function withTurned(folder) {
   writeFileSync(file, text);
 }
 
-testPlanner(
-  "a reset of the angle returns to that of the preset, about the middle",
-  { prepare: withTurned },
-  async (tab) => {
-    const middle = () =>
-      tab.page.evaluate(() => {
-        const { outline } = window.shelfbeamPlanner.planner.document.parts.of("/fixtures/0")[0];
-        return [0, 1].map((axis) => outline.reduce((sum, point) => sum + point[axis], 0) / outline.length);
-      });
-    const stays = async () => {
-      const [x, y] = await middle();
-      check(Math.hypot(x - first[0], y - first[1]) < 0.01, `the middle stays at ${first}, and is at ${x}, ${y}`);
-    };
-    const first = await middle();
-    await tab.page.fill(".objects input[type=search]", "T1");
-    await tab.push(".object");
-    await tab.push('[data-key="field/rotation_deg/reset"]');
-    await tab.steps(1);
+testPlanner("a reset is offered where a preset or a default takes its place", { prepare: withTurned }, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.until(() => document.querySelector('[data-key="field/length"]')?.placeholder === "12");
+  for (const name of ["at", "id"]) check(!(await tab.has(key(`field/${name}/reset`))), `${name} cannot be left out`);
+  await tab.fill("field/length", "3");
+  await tab.steps(1);
+  await tab.use("field/length/reset");
+  await tab.steps(2);
+  await tab.click(11, 14.4);
+  check(!(await tab.has(key("field/length/reset"))), "without a preset, a length cannot be left out");
+
+  // The angle returns to that of the preset, about the middle.
+  const middle = () =>
+    tab.state(({ planner }) => {
+      const { outline } = planner.document.parts.of("/fixtures/0")[0];
+      return [0, 1].map((axis) => outline.reduce((sum, point) => sum + point[axis], 0) / outline.length);
+    });
+  const first = await middle();
+  const isReset = async () => {
     equal(tab.json.fixtures[0].rotation_deg, undefined);
-    await stays();
-    await tab.fill("field/rotation_deg", "60");
-    await tab.steps(2);
-    await tab.fill("field/rotation_deg", "");
-    await tab.steps(3);
-    equal(tab.json.fixtures[0].rotation_deg, undefined);
-    await stays();
-  },
-);
+    const [x, y] = await middle();
+    check(Math.hypot(x - first[0], y - first[1]) < 0.01, `the middle stays at ${first}, and is at ${x}, ${y}`);
+  };
+  await tab.list("T1");
+  await tab.use("field/rotation_deg/reset");
+  await tab.steps(3);
+  await isReset();
+  await tab.fill("field/rotation_deg", "60");
+  await tab.steps(4);
+  await tab.fill("field/rotation_deg", "");
+  await tab.steps(5);
+  await isReset();
+});
 
 /** Moves a preset into a catalogue, in millimetres. */
 function withCatalogue(folder) {
@@ -106,10 +92,8 @@ function withCatalogue(folder) {
   const text = readFileSync(file, "utf8").replace("{", '{ "catalogues": ["chain.json"],');
   const preset = { type: "box", size: [1200, 800, 1500], material: "steel" };
   writeFileSync(join(folder, "chain.json"), JSON.stringify({ units: "mm", presets: { "chain box": preset } }));
-  writeFileSync(
-    file,
-    text.replace(/"fixtures":\s*\[/, '$& { "id": "C1", "preset": "chain box", "at": [12, 1.5, 0] },'),
-  );
+  const fixture = '{ "id": "C1", "preset": "chain box", "at": [12, 1.5, 0] }';
+  writeFileSync(file, text.replace(/"fixtures":\s*\[/, `$& ${fixture},`));
 }
 
 testPlanner("values of a catalogue in another unit", { prepare: withCatalogue }, async (tab) => {
@@ -120,7 +104,7 @@ testPlanner("values of a catalogue in another unit", { prepare: withCatalogue },
   await tab.dragPixels(await tab.grip("x1"), await tab.at(14, 1.9));
   await tab.steps(1);
   equal(tab.json.fixtures[0].size, [2, 0.8, 1.5]);
-  await tab.push('[data-key="field/size/0/reset"], [data-key="field/size/reset"]');
+  await tab.push(`${key("field/size/0/reset")}, ${key("field/size/reset")}`);
   await tab.steps(2);
   equal(tab.json.fixtures[0].size, undefined);
 });
@@ -130,38 +114,29 @@ function withPresets(folder) {
   smallShop()(folder);
   const file = join(folder, "store.json");
   const { fixtures, ...store } = JSON.parse(readFileSync(file, "utf8"));
-  const { at: _, ...rack } = fixtures[0];
   const presets = {
     counter: { type: "box", size: [1, 0.6, 0.9], material: "paper" },
     rack: { type: "gondola", depth: 0.5, height: 2, material: "paper", shelves: [0.5, 1.1], faces: ["front"] },
     tall: { preset: "rack", shelves: [0.5, 1.1, 1.8] },
   };
   const others = [
-    { preset: "rack", id: "W1", against: { wall: 2, from: 1 }, length: 3, labels: rack.labels },
+    { preset: "rack", id: "W1", against: { wall: 2, from: 1 }, length: 3, labels: fixtures[0].labels },
     { preset: "rack", id: "R1", at: [1.2, 1], length: 2, height: 1.4 },
   ];
   writeFileSync(file, JSON.stringify({ presets, ...store, fixtures: [...fixtures, ...others] }, null, 2));
 }
 
-const presetsOffered = (tab) =>
-  tab.page.evaluate(() =>
-    [...document.querySelectorAll('[data-key="field/preset"] option')].map(({ textContent }) => textContent),
-  );
-
 testPlanner(
   "presets of another kind are not offered, and none makes the store invalid",
-  {
-    store: null,
-    prepare: withPresets,
-    keeps: true,
-  },
+  { store: null, prepare: withPresets, keeps: true },
   async (tab) => {
     const before = tab.server.text;
+    const offered = () => tab.texts('[data-key="field/preset"] option');
     await tab.push("#tab-types");
     await tab.click(2.5, 4.8);
     equal(await tab.selected(), ["/fixtures/1"]);
     await tab.until(() => document.querySelectorAll(".types kbd").length === 2);
-    check(!(await presetsOffered(tab)).includes("counter"), "not for shelving");
+    check(!(await offered()).includes("counter"), "not for shelving");
     await tab.press("3");
     check((await tab.text(".types kbd")) === "1" && tab.server.text === before, "there is no third one");
     await tab.press("2");
@@ -169,112 +144,54 @@ testPlanner(
     equal(tab.json.fixtures[1].preset, "tall");
     // After a tool that does not begin, digits are not for presets.
     await tab.press("n", "1");
-    says(await tab.text(".notice"), "does not stand against");
+    await tab.notice("does not stand against");
     await tab.settle();
     equal(tab.json.fixtures[1].preset, "tall");
     await tab.click(2, 1.2);
     equal(await tab.selected(), ["/fixtures/2"]);
     await tab.choose("field/preset", "tall");
-    await tab.until(() => document.querySelector(".notice")?.textContent.includes("Not done: tall for R1"));
+    await tab.notice("Not done: tall for R1");
     await tab.steps(1);
-    equal(
-      [tab.json.fixtures[2].preset, await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.problems)],
-      ["rack", []],
-    );
+    equal([tab.json.fixtures[2].preset, await tab.problems()], ["rack", []]);
     await tab.fill("field/height", "2.1");
     await tab.steps(2);
     await tab.press("2");
     await tab.steps(3);
     equal(tab.json.fixtures[2].preset, "tall");
-    await tab.push('[data-key="/presets/tall"]');
-    equal((await presetsOffered(tab)).includes("tall"), false, "a preset does not begin with itself");
-    check((await presetsOffered(tab)).includes("rack"));
+    await tab.use("/presets/tall");
+    const names = await offered();
+    equal([names.includes("tall"), names.includes("rack")], [false, true], "a preset does not begin with itself");
   },
 );
 
-/** A row of counters, whose labels are a list of their preset. */
-function withCounters(folder) {
-  smallShop()(folder);
-  const file = join(folder, "store.json");
-  const store = JSON.parse(readFileSync(file, "utf8"));
-  const label = (x) => ({ id: `L${x}`, position: [x, -0.01, 0.8], normal: [0, -1, 0], type: "standard" });
-  store.presets = {
-    counter: { type: "box", size: [1, 0.6, 0.9], material: "paper", labels: [label(0.3), label(0.7)] },
-  };
-  store.fixtures.push({ preset: "counter", id: "C{n}", at: [1, 1, 0], repeat: { count: 2, step: [1.5, 0] } });
-  writeFileSync(file, JSON.stringify(store, null, 2));
-}
-
-testPlanner(
-  "a correction of an inherited label keeps the list and its other labels",
-  {
-    store: null,
-    prepare: withCounters,
-    keeps: true,
-  },
-  async (tab) => {
-    await tab.click(1.5, 1.3);
-    await tab.press("Enter"); // the row of this copy
-    equal(await tab.selected(), ["/fixtures/1"]);
-    await tab.fill("field/labels/0/position/2", "0.75");
-    await tab.steps(1);
-    const { labels } = tab.server.json.presets.counter;
-    equal(tab.json.fixtures[1].labels, [{ ...labels[0], position: [0.3, -0.01, 0.75] }, labels[1]]);
-    equal(await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.problems), []);
-    await tab.fill("field/labels/1/id", "M");
-    await tab.steps(2);
-    equal(
-      tab.json.fixtures[1].labels.map(({ id }) => id),
-      ["L0.3", "M"],
-    );
-  },
-);
-
-testPlanner("a typed value leaves the panel where it was scrolled to", { store: null, keeps: true }, async (tab) => {
+testPlanner("the panel keeps its place, and shows what is wide and long", { store: null, keeps: true }, async (tab) => {
   await tab.press("g");
-  await tab.choose("tool/Preset", "wall shelving 1.25 m, 2.2 m high");
-  await tab.click(3, 14.8);
-  await tab.click(9, 14.8);
+  await tab.choose("tool/Preset", "gondola 1.25 m, double, 1.6 m high");
+  await tab.click(3, 8);
+  await tab.click(6, 8);
   await tab.steps(1);
+  await tab.press("n");
+  await tab.click(4.5, 10.2);
+  await tab.steps(2);
+  await tab.until(() => document.querySelector('[data-key="field/repeat/step/1"]') !== null);
+  // Two numbers beside a choice have room, and names that are cut off are hints.
+  for (const name of ["field/repeat/step/0", "field/repeat/step/1"])
+    check((await tab.evaluate((of) => document.querySelector(of).clientWidth, key(name))) > 60, name);
+  await tab.page.hover(key("field/preset"));
+  const title = await tab.evaluate(() => document.querySelector('[data-key="field/preset"]').title);
+  equal(title, "gondola 1.25 m, double, 1.6 m high");
+  // A typed value leaves the panel where it was scrolled to.
   await tab.until(() => document.querySelector('[data-key="field/shelves"]')?.placeholder);
-  const place = () => tab.page.evaluate(() => document.querySelector(".properties").scrollTop);
-  await tab.page.evaluate(() => document.querySelector(".properties").scrollTo(0, 1e4));
+  const place = () => tab.evaluate(() => document.querySelector(".properties").scrollTop);
+  await tab.evaluate(() => document.querySelector(".properties").scrollTo(0, 1e4));
   const before = await place();
   check(before > 0, "it can be scrolled");
   await tab.fill("field/shelves", "0.4, 0.9");
-  await tab.steps(2);
+  await tab.steps(3);
   equal(await place(), before);
+  await tab.press("Escape");
+  await tab.push("#tab-types");
+  equal(await tab.text(".types h3"), "Materials", "which come first");
+  await tab.use("/materials/steel");
+  await tab.notice("steel comes from a catalogue (catalogue.json)");
 });
-
-testPlanner(
-  "two numbers beside a choice have room, and names that are cut off are hints",
-  { store: null, keeps: true },
-  async (tab) => {
-    await tab.press("g");
-    await tab.choose("tool/Preset", "gondola 1.25 m, double, 1.6 m high");
-    await tab.click(3, 8);
-    await tab.click(6, 8);
-    await tab.steps(1);
-    await tab.press("n");
-    await tab.click(4.5, 10.2);
-    await tab.steps(2);
-    await tab.until(() => document.querySelector('[data-key="field/repeat/step/1"]') !== null);
-    const width = (key) => tab.page.evaluate((of) => document.querySelector(`[data-key="${of}"]`).clientWidth, key);
-    for (const key of ["field/repeat/step/0", "field/repeat/step/1"]) check((await width(key)) > 60, key);
-    await tab.page.hover('[data-key="field/preset"]');
-    const title = () => document.querySelector('[data-key="field/preset"]').title;
-    equal(await tab.page.evaluate(title), "gondola 1.25 m, double, 1.6 m high");
-  },
-);
-
-testPlanner(
-  "types: materials come first, and those of a catalogue say where they are changed",
-  { store: null, keeps: true },
-  async (tab) => {
-    await tab.push("#tab-types");
-    equal(await tab.text(".types h3"), "Materials");
-    await tab.push('[data-key="/materials/steel"]');
-    says(await tab.text(".notice"), "steel comes from a catalogue (catalogue.json)");
-    equal(await tab.text(".properties .subtitle"), "Store");
-  },
-);

@@ -105,25 +105,23 @@ export async function pasteFile(tab, name, body) {
 }
 
 /** Until the pixels of the picture are there. */
-export const shown = (tab) => tab.until(() => window.shelfbeamPlanner.planner.picture.state.kind === "shown");
+export const shown = (tab) => tab.reaches(({ planner }) => planner.picture.state.kind === "shown");
 
 /** The place on the screen of a pixel of the picture. */
 export const pixelAt = (tab, x, y) =>
-  tab.page.evaluate(
-    ([u, v]) => {
-      const { planner } = window.shelfbeamPlanner;
-      const { file, size, at, scale, unit, rotation_deg = 0 } = planner.drawing;
+  tab.state(
+    ({ planner }, [u, v]) => {
+      const { size, at, scale, unit, rotation_deg = 0 } = planner.drawing;
+      const { factor } = planner.document.unit;
+      const unscaled = unit ? { mm: 0.001, m: 1, in: 0.0254 }[unit] : 20 / size[0];
       const length = scale && Math.hypot(scale.to[0] - scale.from[0], scale.to[1] - scale.from[1]);
-      const known = { mm: 0.001, m: 1, in: 0.0254 };
-      const unscaled = unit ? known[unit] : 20 / size[0];
-      const step = scale ? (scale.length / length) * planner.document.unit.factor : unscaled;
+      const step = scale ? (scale.length / length) * factor : unscaled;
       const angle = (rotation_deg * Math.PI) / 180;
       const [a, b] = [step * u, step * (size[1] - v)];
       const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      const { factor } = planner.document.unit;
       const [left, top] = planner.viewport.toScreen([factor * at[0] + c * a - s * b, factor * at[1] + s * a + c * b]);
       const box = document.querySelector(".surface").getBoundingClientRect();
-      return file && [box.left + left, box.top + top];
+      return [box.left + left, box.top + top];
     },
     [x, y],
   );
@@ -135,12 +133,13 @@ export async function clickPixel(tab, x, y) {
 }
 
 /** The colour of the picture at a place of the screen, as [red, green, blue, opacity]. */
-export const colourAt = async (tab, [x, y]) =>
-  tab.page.evaluate(
-    ([u, v]) => {
+export const colourAt = (tab, [x, y]) =>
+  tab.evaluate(
+    (u, v) => {
       const canvas = document.querySelector(".backdrop");
       const box = canvas.getBoundingClientRect();
       return [...canvas.getContext("2d").getImageData(u - box.left, v - box.top, 1, 1).data];
     },
-    [Math.round(x), Math.round(y)],
+    Math.round(x),
+    Math.round(y),
   );

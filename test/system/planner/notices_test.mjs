@@ -10,7 +10,7 @@ const { hints } = JSON.parse(readFileSync(new URL("../../../src/page/planner/eng
 testPlanner("a change outside is said, and can be undone", {}, async (tab) => {
   tab.server.write(tab.server.text.replace("[11, 14.2]", "[11, 14.3]").replace("[6, 14.2]", "[6, 14.3]"));
   await tab.steps(1);
-  says(await tab.text(".notice"), "Changed outside: F1");
+  await tab.notice("Changed outside: F1");
 });
 
 testPlanner("undone steps are named after the answer", {}, async (tab) => {
@@ -18,8 +18,7 @@ testPlanner("undone steps are named after the answer", {}, async (tab) => {
   await tab.press("Shift+ArrowUp");
   await tab.press("r");
   await tab.steps(2);
-  await tab.page.evaluate(() => {
-    const { planner } = window.shelfbeamPlanner;
+  await tab.state(({ planner }) => {
     window.said = [];
     planner.say = (words) => window.said.push(words);
   });
@@ -29,24 +28,16 @@ testPlanner("undone steps are named after the answer", {}, async (tab) => {
   await tab.steps(0);
   await tab.press("Control+y");
   await tab.steps(1);
-  equal(await tab.page.evaluate(() => window.said), ["Undone: Rotate A3", "Undone: Move A3", "Redone: Move A3"]);
-});
-
-testPlanner("what stands against a wall says so", { store: "market-hall" }, async (tab) => {
-  const index = tab.json.fixtures.findIndex(({ against, repeat }) => against && !repeat);
-  await tab.page.evaluate((k) => window.shelfbeamPlanner.planner.selection.setPaths([`/fixtures/${k}`]), index);
-  await tab.page.focus(".surface");
-  await tab.press("r");
-  says(await tab.text(".notice"), "Dissolve it");
+  equal(await tab.evaluate("window.said"), ["Undone: Rotate A3", "Undone: Move A3", "Redone: Move A3"]);
 });
 
 testPlanner("a tool of the plan says so in 3-D", {}, async (tab) => {
   await tab.click(10, 9.85);
   await tab.press("d");
   for (const key of ["g", "n", "m"]) {
-    await tab.page.evaluate(() => window.shelfbeamPlanner.planner.say(""));
+    await tab.hush();
     await tab.press(key);
-    says(await tab.text(".notice"), "Press D to leave 3-D");
+    await tab.notice("Press D to leave 3-D");
   }
   check(await tab.isUntouched(), "nothing is drawn");
 });
@@ -62,14 +53,10 @@ testPlanner("the end of the program is said, with what is not saved", { keeps: t
 });
 
 testPlanner("no hint of the status line is cut off at 1280 pixels", {}, async (tab) => {
-  const cut = await tab.page.evaluate((hints) => {
+  const isCut = (words) => {
     const hint = document.querySelector(".status .hint");
-    const found = [];
-    for (const words of hints) {
-      hint.textContent = words;
-      if (hint.scrollWidth > hint.clientWidth) found.push(words);
-    }
-    return found;
-  }, Object.values(hints));
-  equal(cut, []);
+    hint.textContent = words;
+    return hint.scrollWidth > hint.clientWidth;
+  };
+  for (const words of Object.values(hints)) equal(await tab.evaluate(isCut, words), false, words);
 });

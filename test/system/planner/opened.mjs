@@ -21,7 +21,7 @@ export const testPlanner = (
       equal(tab.errors, [], "errors in the console");
       if (keeps) return;
       for (let { length } = await tab.labels(); length > 0; --length) {
-        await tab.page.evaluate(() => document.activeElement?.blur());
+        await tab.evaluate(() => document.activeElement?.blur());
         await tab.press("Escape", "Escape", "Control+z");
         await tab.steps(length - 1);
       }
@@ -29,6 +29,32 @@ export const testPlanner = (
     },
     { isSmoke: smoke, isAlone: alone },
   );
+
+/**
+ * Tests an area of the planner in light and dark colours. `run` gets the tab, and a function that expects no findings of
+ * axe-core. `smoke`: the colours of the smoke test.
+ */
+export function testAxe(area, { smoke = null, ...options }, run) {
+  for (const colours of ["light", "dark"])
+    testPlanner(
+      `${area}: axe has no findings, ${colours}`,
+      { ...options, dark: colours === "dark", smoke: colours === smoke },
+      async (tab, { axe }) => {
+        const clean = async (what) => {
+          await tab.page.evaluate(axe); // by the driver, past the content security policy
+          const findings = await tab.evaluate(async () => {
+            const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+            return violations.map(
+              ({ id, nodes }) =>
+                `${id}: ${nodes.map(({ target, failureSummary }) => `${target} ${failureSummary}`).join("; ")}`,
+            );
+          });
+          equal(findings, [], what);
+        };
+        await run(tab, clean, colours);
+      },
+    );
+}
 
 /** Places that a drag by whole pixels can reach: within 5 cm, in whole centimetres. */
 export function placed(found, expected, what = "place") {

@@ -13,12 +13,11 @@ const keys = [
 ];
 
 /** Selects one or two elements, and changes them by a key or by a value of their own. */
-async function changeSomething({ page }, random) {
+async function changeSomething(tab, random) {
   const numbers = [random(), random(), random()];
   const isValue = random() < 0.25;
-  await page.evaluate(
-    ([[first, second, third], setsValue]) => {
-      const { document: store, selection } = window.shelfbeamPlanner.planner;
+  await tab.state(
+    ({ planner: { document: store, selection } }, [first, second, third], setsValue) => {
       const { fixtures } = store.json;
       const paths = [first, second].map((share) => `/fixtures/${Math.floor(share * fixtures.length)}`);
       selection.setPaths([...paths.slice(0, third < 0.3 ? 2 : 1), ...(third > 0.95 ? ["/transceivers/grids/0"] : [])]);
@@ -28,23 +27,24 @@ async function changeSomething({ page }, random) {
       const op = { path: `/fixtures/${index}/stocking`, after: Number((0.3 + 0.7 * third).toFixed(3)) };
       void store.edit({ label: "Stocking", ops: [before === undefined ? op : { ...op, before }] });
     },
-    [numbers, isValue],
+    numbers,
+    isValue,
   );
-  if (!isValue) await page.keyboard.press(keys[Math.floor(random() * keys.length)]);
+  if (!isValue) await tab.page.keyboard.press(keys[Math.floor(random() * keys.length)]);
 }
 
 /** Until the server has answered everything that the tab has asked, also what follows from answers. */
 async function quiet(tab) {
   for (let k = 0; k < 3; ++k) {
-    await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.request("find", { text: "A1" }));
+    await tab.state(({ planner }) => planner.document.request("find", { text: "A1" }));
     await tab.settle();
   }
-  await tab.until(() => window.shelfbeamPlanner.planner.document.saving.state !== "saving");
+  await tab.reaches(({ planner }) => planner.document.saving.state !== "saving");
 }
 
 /** What a tab knows, with the keys of objects in order. */
 const stateOf = (tab) =>
-  tab.page.evaluate(() => {
+  tab.state(({ planner }) => {
     const ordered = (value) =>
       Array.isArray(value)
         ? value.map(ordered)
@@ -55,7 +55,7 @@ const stateOf = (tab) =>
                 .map((key) => [key, ordered(value[key])]),
             )
           : value;
-    const { json, parts, problems, history, revision, labels, units } = window.shelfbeamPlanner.planner.document;
+    const { json, parts, problems, history, revision, labels, units } = planner.document;
     const rounded = (devices) => [...devices.position.slice(0, 3 * devices.count)].map((one) => one.toFixed(4)).join();
     return ordered({
       json,
@@ -87,22 +87,22 @@ for (const seed of [1, 2])
     );
     for (const one of [...tabs, ...tabs]) await quiet(one);
     const { revision } = await stateOf(tab);
-    await other.until((of) => window.shelfbeamPlanner.planner.document.revision >= of, revision);
+    await other.reaches(({ planner }, of) => planner.document.revision >= of, revision);
     const fresh = await given.tab(tab.server);
     const expected = await stateOf(fresh);
     check(expected.steps.length > edits, `${expected.steps.length} steps`);
     for (const [k, one] of tabs.entries()) same(await stateOf(one), expected, `tab ${k + 1}`);
-    equal(await fresh.page.evaluate(() => window.shelfbeamPlanner.planner.document.json), tab.json, "the file");
+    equal(await fresh.state(({ planner }) => planner.document.json), tab.json, "the file");
     const last = tab.server.text;
     const { position } = expected;
     await other.push("#tab-history");
-    await other.push('[data-key="step0"]');
+    await other.use("step0");
     for (const one of [...tabs, fresh]) await one.steps(0);
     check(tab.server.text === tab.server.first, "undoing everything brings the first bytes back");
-    await other.push(`[data-key="step${position}"]`);
+    await other.use(`step${position}`);
     await tab.steps(position);
     check(tab.server.text === last, "redoing everything brings the last bytes back");
-    await other.push('[data-key="step0"]');
+    await other.use("step0");
     await tab.steps(0);
     equal(other.errors, [], "errors in the console of the other tab");
   });

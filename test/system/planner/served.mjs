@@ -1,17 +1,18 @@
 // A project folder with a copy of an example or without anything, and `shelfbeam serve` for it behind a wire.
 
-import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 
 import { parse } from "./jsonc.mjs";
+import { serve } from "./server.mjs";
 import { Wire } from "./wire.mjs";
 
 export class Served {
   /** `example`: null for an empty folder. `prepare` gets the folder before the program starts. */
   constructor(program, example, work, prepare, hasLight) {
     this.program = program;
-    this.hasLight = hasLight;
+    // The light of a shop takes all processors, so only tests that look at it have it.
+    this.options = hasLight ? [] : ["--no-light"];
     this.folder = mkdtempSync(join(work, `${example === null ? "empty" : basename(example)}-`));
     if (example !== null) cpSync(example, this.folder, { recursive: true });
     prepare(this.folder);
@@ -27,27 +28,9 @@ export class Served {
   }
 
   async start(packages) {
-    // The light of a shop takes all processors, so only tests that look at it have it.
-    const options = ["--no-browser", ...(this.hasLight ? [] : ["--no-light"])];
-    this.child = spawn(this.program, ["serve", this.folder, ...options], { stdio: ["ignore", "pipe", "pipe"] });
-    const address = await new Promise((found, failed) => {
-      let said = "";
-      const read = (data) => {
-        said += data;
-        const match = /http:\/\/127\S+/.exec(said);
-        if (match) found(match[0]);
-      };
-      this.child.stdout.on("data", read);
-      this.child.stderr.on("data", read);
-      this.child.on("exit", () => failed(new Error(said)));
-    });
-    this.wire = new Wire(address.endsWith("/") ? address : `${address}/`, packages);
+    this.running = await serve(this.program, this.folder, ...this.options);
+    this.wire = new Wire(this.running.address, packages);
     this.url = await this.wire.listen();
-  }
-
-  /** Another program writes an invalid file. */
-  spoil() {
-    writeFileSync(join(this.folder, "store.json"), this.text.slice(0, -20));
   }
 
   /** Another program writes the file. */
@@ -57,14 +40,11 @@ export class Served {
 
   /** Ends the program; its address then refuses connections. */
   async end() {
-    if (!this.child) return;
-    const { child, wire } = this;
-    this.child = null;
+    const { running, wire } = this;
+    this.running = null;
     await wire?.close();
-    child.removeAllListeners("exit");
-    const ended = new Promise((done) => child.once("exit", done));
-    child.kill();
-    await ended;
+    await running?.end();
+    this.wire = null;
   }
 
   async close() {

@@ -1,23 +1,18 @@
 // A tab of the browser with the planner. Tests drive it by the pointer and the keyboard alone; they look at the page and,
 // for places, at the state that it keeps for tests.
 
-import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-const patience = 8000; // ms
+import { Page } from "../viewer/page.mjs";
+import { poll } from "./poll.mjs";
 
-export class Tab {
-  errors = [];
+const patienceForPlans = 480_000; // ms
 
+export class Tab extends Page {
   constructor(page, server, pictures) {
-    this.page = page;
+    super(page);
     this.server = server;
     this.pictures = pictures;
-    page.on("pageerror", ({ stack }) => this.errors.push(stack));
-    page.on("console", (message) => message.type() === "error" && this.errors.push(message.text()));
-    page.on("response", (response) => {
-      if (response.status() >= 400) this.errors.push(`${response.status()} ${response.url()}`);
-    });
   }
 
   async open() {
@@ -30,46 +25,88 @@ export class Tab {
     await this.settle();
   }
 
-  /** Two frames: all changes are drawn. */
-  settle() {
-    return this.page.evaluate(
-      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))),
-    );
+  async reload() {
+    await this.page.reload();
+    await this.until(() => window.shelfbeamPlanner?.planner.document.isReady);
+    await this.settle();
+  }
+
+  /** The result of a function that gets the objects of the page, `{ planner, page }`, and JSON arguments. */
+  state(read, ...values) {
+    return this.evaluate(`(${read})(window.shelfbeamPlanner, ...${JSON.stringify(values)})`);
   }
 
   /** Polls: the content security policy forbids the functions that the driver would inject. */
-  async until(condition, ...values) {
-    const end = Date.now() + patience;
-    for (;;) {
-      const found = await this.page.evaluate(condition, ...values);
-      if (found) return found;
-      if (Date.now() > end) throw new Error(`did not happen: ${condition}`);
-      await new Promise((done) => setTimeout(done, 25));
-    }
+  until(condition, ...values) {
+    return poll(
+      () => this.evaluate(condition, ...values),
+      Boolean,
+      () => `${condition} ${values}`,
+    );
+  }
+
+  /** As `until`, for a function that gets the objects of the page. */
+  reaches(condition, ...values) {
+    return poll(
+      () => this.state(condition, ...values),
+      Boolean,
+      () => `${condition} ${values}`,
+    );
+  }
+
+  /** As `reaches`, for what takes a simulation. */
+  computes(condition, ...values) {
+    return poll(
+      () => this.state(condition, ...values),
+      Boolean,
+      () => `${condition}`,
+      patienceForPlans,
+    );
+  }
+
+  /** Until the light is simulated. */
+  lit() {
+    return this.computes(({ planner }) => planner.light.event?.phase === "done");
   }
 
   /** Until a number of steps are applied, and the page knows that they are saved. */
   async steps(count) {
-    const state = () => {
-      const { history, saving } = window.shelfbeamPlanner.planner.document;
-      return { position: history.position, saving: saving.state };
-    };
-    const end = Date.now() + patience;
-    for (;;) {
-      const { position, saving } = await this.page.evaluate(state);
-      if (position === count && saving === "saved") break;
-      if (Date.now() > end) throw new Error(`${position} steps and ${saving}, not ${count}: ${await this.labels()}`);
-      await new Promise((done) => setTimeout(done, 15));
-    }
+    await poll(
+      () =>
+        this.state(
+          ({
+            planner: {
+              document: { history, saving },
+            },
+          }) => [history.position, saving.state],
+        ),
+      ([position, saving]) => position === count && saving === "saved",
+      async (found) => `${found}, not ${count} steps: ${await this.labels()}`,
+    );
     await this.settle();
   }
 
   /** The names of the applied steps. */
   labels() {
-    return this.page.evaluate(() => {
-      const { steps, position } = window.shelfbeamPlanner.planner.document.history;
+    return this.state(({ planner }) => {
+      const { steps, position } = planner.document.history;
       return steps.slice(0, position).map(({ label }) => label);
     });
+  }
+
+  /** Until the notice has these words. */
+  async notice(words) {
+    await poll(
+      () => this.text(".notice"),
+      (text) => text.replaceAll("\u00a0", " ").includes(words),
+      (text) => `the notice is '${text}', not '${words}'`,
+    );
+  }
+
+  /** Takes the notice away, so that the next one is new. */
+  async hush() {
+    await this.state(({ planner }) => planner.say(""));
+    await this.settle();
   }
 
   /** Nothing has changed the store. */
@@ -83,10 +120,10 @@ export class Tab {
   }
 
   /** The place on the screen of a point of the plan, m. */
-  async at(x, y) {
-    return this.page.evaluate(
-      ([u, v]) => {
-        const [left, top] = window.shelfbeamPlanner.planner.viewport.toScreen([u, v]);
+  at(x, y) {
+    return this.state(
+      ({ planner }, place) => {
+        const [left, top] = planner.viewport.toScreen(place);
         const box = document.querySelector(".surface").getBoundingClientRect();
         return [Math.round(box.left + left), Math.round(box.top + top)];
       },
@@ -94,33 +131,43 @@ export class Tab {
     );
   }
 
-  async point(x, y) {
-    await this.page.mouse.move(...(await this.at(x, y)));
+  /** Runs while keys are held. */
+  async holding(keys, run) {
+    for (const key of keys) await this.page.keyboard.down(key);
+    await run();
+    for (const key of keys) await this.page.keyboard.up(key);
     await this.settle();
   }
 
-  async click(x, y, options) {
-    await this.page.mouse.click(...(await this.at(x, y)), options);
-    await this.settle();
+  async point(x, y, ...keys) {
+    await this.holding(keys, async () => this.page.mouse.move(...(await this.at(x, y))));
+  }
+
+  async click(x, y, { keys = [], ...options } = {}) {
+    await this.holding(keys, async () => this.page.mouse.click(...(await this.at(x, y)), options));
+  }
+
+  /** Clicks on places that nothing attracts. */
+  async freely(...places) {
+    for (const [x, y] of places) await this.click(x, y, { keys: ["Alt"] });
   }
 
   /** Drags between two places of the plan. `during` runs before the button is released. */
-  async drag([x, y], [u, v], { keys = [], button = "left", during = () => {} } = {}) {
-    await this.dragPixels(await this.at(x, y), await this.at(u, v), { keys, button, during });
+  async drag([x, y], [u, v], options) {
+    await this.dragPixels(await this.at(x, y), await this.at(u, v), options);
   }
 
   async dragPixels(from, to, { keys = [], button = "left", during = () => {} } = {}) {
-    const { mouse, keyboard } = this.page;
+    const { mouse } = this.page;
     await mouse.move(...from);
-    for (const key of keys) await keyboard.down(key);
-    await mouse.down({ button });
-    await mouse.move(from[0] + 0.4 * (to[0] - from[0]), from[1] + 0.4 * (to[1] - from[1]), { steps: 3 });
-    await mouse.move(...to, { steps: 3 });
-    await this.settle();
-    await during();
-    await mouse.up({ button });
-    for (const key of keys) await keyboard.up(key);
-    await this.settle();
+    await this.holding(keys, async () => {
+      await mouse.down({ button });
+      await mouse.move(from[0] + 0.4 * (to[0] - from[0]), from[1] + 0.4 * (to[1] - from[1]), { steps: 3 });
+      await mouse.move(...to, { steps: 3 });
+      await this.settle();
+      await during();
+      await mouse.up({ button });
+    });
   }
 
   /** The place of a handle on the screen. */
@@ -131,15 +178,25 @@ export class Tab {
     }, name);
   }
 
-  async press(...keys) {
-    for (const key of keys) await this.page.keyboard.press(key);
+  /** Turns the wheel at a place of the plan. */
+  async wheel(x, y, delta, times = 1) {
+    await this.page.mouse.move(...(await this.at(x, y)));
+    for (let k = 0; k < times; ++k) await this.page.mouse.wheel(0, delta);
     await this.settle();
+  }
+
+  /** Replaces the text of a field, and keeps the focus there. */
+  async type(key, typed) {
+    await this.until((of) => document.querySelector(`[data-key="${of}"]`) !== null, key);
+    await this.page.focus(`[data-key="${key}"]`);
+    await this.page.keyboard.press("Control+a");
+    await this.page.keyboard.insertText(typed);
   }
 
   /** Replaces the text of a field of the panel, and leaves it by a key. */
   async fill(key, typed, leave = "Enter") {
     await this.until((of) => document.querySelector(`[data-key="${of}"]`) !== null, key);
-    await this.page.evaluate((of) => {
+    await this.evaluate((of) => {
       const field = document.querySelector(`[data-key="${of}"]`);
       field.focus();
       field.select?.();
@@ -159,25 +216,75 @@ export class Tab {
     await this.settle();
   }
 
-  selected() {
-    return this.page.evaluate(() =>
-      window.shelfbeamPlanner.planner.selection.items.map(({ path, key }) => key ?? path),
-    );
+  /** Pushes what has a key. */
+  async use(key) {
+    await this.push(`[data-key="${key}"]`);
   }
 
-  text(selector) {
-    return this.page.evaluate((of) => document.querySelector(of)?.textContent ?? null, selector);
+  /** Takes the first of the results, once it has this name: of commands after Ctrl+K, of elements after Ctrl+F. */
+  async pick(keys, name, typed = name) {
+    await this.press(keys);
+    await this.page.keyboard.type(typed);
+    await this.until((of) => document.querySelector(".results li span")?.textContent === of, name);
+    await this.press("Enter");
+  }
+
+  async run(command) {
+    await this.pick("Control+k", command);
+  }
+
+  async find(name) {
+    await this.pick("Control+f", name);
+    await this.until((of) => document.querySelector(".properties h2").textContent === of, name);
+  }
+
+  /** Selects the first of the elements that the list finds by a name, with the focus in the plan. */
+  async list(name) {
+    await this.page.fill(".objects input[type=search]", name);
+    await this.settle();
+    await this.page.click(".object >> nth=0");
+    await this.page.focus(".surface");
+  }
+
+  has(selector) {
+    return this.evaluate((of) => document.querySelector(of) !== null, selector);
+  }
+
+  count(selector) {
+    return this.evaluate((of) => document.querySelectorAll(of).length, selector);
+  }
+
+  tool() {
+    return this.evaluate(() => document.querySelector(".plan").dataset.tool);
+  }
+
+  /** What has the focus: its key, or otherwise its command, id, class, or kind. */
+  focused() {
+    return this.evaluate(() => {
+      const { dataset, id, className, tagName } = document.activeElement;
+      return (dataset.key ?? dataset.command ?? id) || className || tagName;
+    });
+  }
+
+  /** Of the gesture. */
+  scope() {
+    return this.state(({ page }) => page.gestures.scope);
+  }
+
+  problems() {
+    return this.state(({ planner }) => planner.document.problems.map(({ sentence }) => sentence));
+  }
+
+  selected() {
+    return this.state(({ planner }) => planner.selection.items.map(({ path, key }) => key ?? path));
   }
 
   view() {
-    return this.page.evaluate(() => {
-      const { scale, centre } = window.shelfbeamPlanner.planner.viewport;
-      return { scale, centre };
-    });
+    return this.state(({ planner: { viewport } }) => ({ scale: viewport.scale, centre: viewport.centre }));
   }
 
   async picture(name) {
     await this.settle();
-    writeFileSync(join(this.pictures, `${name}.png`), await this.page.screenshot());
+    await this.page.screenshot({ path: join(this.pictures, `${name}.png`) });
   }
 }

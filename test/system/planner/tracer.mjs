@@ -29,9 +29,7 @@ export class Tracer {
   async look(point, pixels = 110, others = []) {
     const { tab } = this;
     const { mouse } = tab.page;
-    const { x, y, width, height } = await tab.page.evaluate(() =>
-      document.querySelector(".surface").getBoundingClientRect().toJSON(),
-    );
+    const { x, y, width, height } = await tab.page.locator(".surface").boundingBox();
     const turn = async ([u, v], delta) => {
       await mouse.move(Math.round(u), Math.round(v));
       await mouse.wheel(0, delta);
@@ -65,14 +63,11 @@ export class Tracer {
     return place;
   }
 
-  async click(point, { pixels, keys = [] } = {}) {
-    const { tab } = this;
+  async click(point, { pixels } = {}) {
     ++this.actions;
     await this.look(point, pixels);
-    for (const key of keys) await tab.page.keyboard.down(key);
-    await tab.page.mouse.click(...(await this.#aim(point)));
-    for (const key of keys) await tab.page.keyboard.up(key);
-    await tab.settle();
+    await this.tab.page.mouse.click(...(await this.#aim(point)));
+    await this.tab.settle();
   }
 
   async drag(from, to, { pixels } = {}) {
@@ -100,6 +95,12 @@ export class Tracer {
     await tab.page.click(`[data-key="${key}"]`, { clickCount: 3 });
     await tab.page.keyboard.type(words);
     await tab.press("Enter");
+  }
+
+  /** Clicks on both ends of a line. */
+  async line(from, to) {
+    await this.click(from);
+    await this.click(to);
   }
 
   async choose(key, label) {

@@ -1,4 +1,5 @@
-// node unit_tests.mjs PACKAGES OUT: bundles the tests of `unit` with the modules that they import, and runs them.
+// node unit_tests.mjs PACKAGES OUT [FILTER]: bundles the tests of `unit`, or those with a text in their names, with the
+// modules that they import, and runs them. With MANY in the environment, it tries more that is random or damaged.
 
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readdirSync, rmSync } from "node:fs";
@@ -6,9 +7,9 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const [packages, out] = process.argv.slice(2);
+const [packages, out, filter = ""] = process.argv.slice(2);
 const folder = fileURLToPath(new URL("unit", import.meta.url));
-const tests = readdirSync(folder).filter((name) => name.endsWith("_test.mjs"));
+const tests = readdirSync(folder).filter((name) => name.endsWith("_test.mjs") && name.includes(filter));
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 await createRequire(`${packages}/`)("esbuild").build({

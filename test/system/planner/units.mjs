@@ -2,36 +2,45 @@
 
 import { check } from "../viewer/check.mjs";
 
-export const last = (list) => list[list.length - 1];
-export const isAt = (found, expected, slack = 0.02) =>
+export const isAt = (found, expected, slack = 0.02, what = "place") =>
   check(
-    found.every((value, k) => Math.abs(value - expected[k]) <= slack),
-    `place: found ${found}, expected ${expected}`,
+    found.length === expected.length && found.every((value, k) => Math.abs(value - expected[k]) <= slack),
+    `${what}: found ${found}, expected ${expected}`,
   );
-export const axisNear = (found, expected) =>
-  check(
-    found.every((value, k) => Math.abs(value - expected[k]) < 1e-4),
-    `axis: found ${found}, expected ${expected}`,
+export const axisNear = (found, expected) => isAt(found, expected, 1e-4, "axis");
+
+/** The candidate that is nearest to a place: its number, where it is, there on the plan, and its state. */
+export const unitAt = (tab, ...place) =>
+  tab.reaches(
+    (
+      {
+        planner: {
+          document: { units },
+        },
+      },
+      x,
+      y,
+    ) => {
+      const all = Array.from({ length: units.count }, (_, index) => ({ index, at: units.at(index) }));
+      const away = ({ at }) => Math.hypot(at[0] - x, at[1] - y);
+      const [found] = all.sort((a, b) => away(a) - away(b));
+      const at = found?.at.map((value) => Math.round(1e4 * value) / 1e4);
+      return found && { ...found, at, place: at.slice(0, 2), state: units.state[found.index] };
+    },
+    ...place,
   );
 
-/** The candidate that is nearest to a place: its number, where it is, and its state. */
-export const unitAt = (tab, x, y) =>
-  tab.until(
-    ([u, v]) => {
-      const { units } = window.shelfbeamPlanner.planner.document;
-      const all = Array.from({ length: units.count }, (_, index) => ({ index, at: units.at(index) }));
-      const away = ({ at }) => Math.hypot(at[0] - u, at[1] - v);
-      const found = all.sort((a, b) => away(a) - away(b))[0];
-      return (
-        found && {
-          ...found,
-          at: found.at.map((value) => Math.round(1e4 * value) / 1e4),
-          state: units.state[found.index],
-        }
-      );
-    },
-    [x, y],
-  );
+/** Selects a candidate near a place: its id, where it is, and there on the plan. */
+export async function chooseUnit(tab, x, y, grid = "G1-") {
+  const { at, place } = await unitAt(tab, x, y);
+  await tab.press("Escape");
+  await tab.click(...place);
+  const id = await tab.until((of) => {
+    const name = document.querySelector(".properties h2").textContent;
+    return name.startsWith(of) && name;
+  }, grid);
+  return { at, place, id };
+}
 
 /** The words at the unit that a click would place, or that is dragged. */
 export const said = (tab, words) =>
@@ -39,6 +48,3 @@ export const said = (tab, words) =>
     (wanted) => document.querySelector(".overlay .reading")?.textContent.replaceAll("\u00a0", " ").includes(wanted),
     words,
   );
-
-export const notice = (tab, words) =>
-  tab.until((wanted) => document.querySelector(".notice").textContent.includes(wanted), words);

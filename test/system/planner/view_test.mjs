@@ -8,16 +8,12 @@ import { testPlanner } from "./opened.mjs";
 
 testPlanner("the wheel zooms at the pointer, within limits", {}, async (tab) => {
   const at = await tab.at(20, 5);
-  await tab.page.mouse.move(...at);
   const before = await tab.view();
-  await tab.page.mouse.wheel(0, -300);
-  await tab.settle();
-  const after = await tab.view();
-  check(after.scale > 1.5 * before.scale, "larger");
+  await tab.wheel(20, 5, -300);
+  check((await tab.view()).scale > 1.5 * before.scale, "larger");
   const now = await tab.at(20, 5);
   check(Math.hypot(now[0] - at[0], now[1] - at[1]) <= 1, "the place under the pointer stays");
-  for (let k = 0; k < 40; ++k) await tab.page.mouse.wheel(0, -1000);
-  await tab.settle();
+  await tab.wheel(20, 5, -1000, 40);
   equal((await tab.view()).scale, 6000, "1 cm is 60 pixels at most");
   await tab.press("0");
   near((await tab.view()).scale, before.scale, 1e-9, "scale after 0");
@@ -31,74 +27,63 @@ testPlanner("the wheel zooms at the pointer, within limits", {}, async (tab) => 
   );
 });
 
-testPlanner("middle and right drags move the plan, Space also without a button", {}, async (tab) => {
-  for (const button of ["middle", "right"]) {
+testPlanner("middle and right drags move the plan, Space also without a button, and in a drag", {}, async (tab) => {
+  const moves = async (what, run) => {
     const before = (await tab.view()).centre;
-    await tab.drag([10, 2], [12, 3], { button });
+    await run();
     const after = (await tab.view()).centre;
     check(
       Math.abs(before[0] - 2 - after[0]) < 0.06 && Math.abs(before[1] - 1 - after[1]) < 0.06,
-      `${button}: ${before} ${after}`,
+      `${what}: ${before} ${after}`,
     );
-    equal(await tab.page.$(".menu"), null, "menu");
+  };
+  for (const button of ["middle", "right"]) {
+    await moves(button, () => tab.drag([10, 2], [12, 3], { button }));
+    check(!(await tab.has(".menu")), "no menu");
   }
   await tab.point(10, 2);
-  const before = (await tab.view()).centre;
-  await tab.page.keyboard.down("Space");
-  await tab.page.mouse.move(...(await tab.at(12, 3)), { steps: 4 });
-  await tab.page.keyboard.up("Space");
-  await tab.settle();
-  const after = (await tab.view()).centre;
-  check(Math.abs(before[0] - 2 - after[0]) < 0.06, `${before} ${after}`);
+  await moves("Space", () => tab.point(12, 3, "Space"));
   check(await tab.isUntouched(), "the store is untouched");
-});
-
-testPlanner("Space moves the plan in the middle of a drag", {}, async (tab) => {
+  await tab.press("0");
   const before = (await tab.view()).centre;
   await tab.drag([10, 9.85], [11, 9.85], {
     during: async () => {
       const [x, y] = await tab.at(11, 9.85);
-      await tab.page.keyboard.down("Space");
-      await tab.page.mouse.move(x + 60, y, { steps: 3 });
-      await tab.page.keyboard.up("Space");
+      await tab.holding(["Space"], () => tab.page.mouse.move(x + 60, y, { steps: 3 }));
       await tab.page.mouse.move(x + 61, y);
       await tab.settle();
     },
   });
   await tab.steps(1);
   check((await tab.view()).centre[0] < before[0] - 1, "the plan has moved");
-  check(
-    Math.abs(tab.json.fixtures[2].at[0] - 6) < 0.1,
-    `the fixture stays under the pointer: ${tab.json.fixtures[2].at}`,
-  );
+  const { at } = tab.json.fixtures[2];
+  check(Math.abs(at[0] - 6) < 0.1, `the fixture stays under the pointer: ${at}`);
 });
 
 testPlanner("layers hide kinds and levels", {}, async (tab) => {
   await tab.push("#tab-layers");
   const shows = (kind) =>
-    tab.page.evaluate((of) => getComputedStyle(document.querySelector(`.kind-${of}`)).display !== "none", kind);
+    tab.evaluate((of) => getComputedStyle(document.querySelector(`.kind-${of}`)).display !== "none", kind);
+  const levels = () => tab.count("[data-key^='level-'][aria-pressed='true']");
   check(await shows("fixture"), "shown");
-  await tab.push('[data-key="show-fixture"]');
+  await tab.use("show-fixture");
   check(!(await shows("fixture")), "hidden");
-  const levels = () =>
-    tab.page.evaluate(() => document.querySelectorAll("[data-key^='level-'][aria-pressed='true']").length);
   const before = await levels();
-  await tab.push('[data-key="level-3"]');
+  await tab.use("level-3");
   equal(await levels(), before - 1);
-  await tab.page.reload();
-  await tab.until(() => window.shelfbeamPlanner?.planner.document.isReady);
-  await tab.settle();
+  await tab.reload();
   check(!(await shows("fixture")), "hidden after a reload");
 });
 
 testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab) => {
+  const count = () => tab.count(".overlay .measure");
   await tab.press("m");
   await tab.point(5.05, 4.65);
   says(await tab.text(".overlay .word"), "corner");
-  await tab.page.keyboard.down("Alt");
-  await tab.point(5.1, 4.65);
-  equal(await tab.page.$(".overlay .word"), null);
-  await tab.page.keyboard.up("Alt");
+  await tab.holding(["Alt"], async () => {
+    await tab.point(5.1, 4.65);
+    check(!(await tab.has(".overlay .word")), "Alt holds on to nothing");
+  });
   // The aisle between A1 and A2: from the back of one to the front of the other.
   await tab.click(10, 5.55);
   await tab.click(10, 6.95);
@@ -109,12 +94,12 @@ testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab)
     await tab.drag([10, 8], [9.5, 7.5], { button });
   }
   await tab.point(5, 2.1);
-  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 2);
+  equal(await count(), 2);
   await tab.press("Escape");
-  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 1, "the gesture first");
+  equal(await count(), 1, "the gesture first");
   await tab.press("Escape");
-  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 0, "then the tool");
-  equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "select");
+  equal(await count(), 0, "then the tool");
+  equal(await tab.tool(), "select");
 });
 
 /** Puts a label far above the shelves. */
@@ -126,12 +111,9 @@ function withHighLabel(folder) {
 }
 
 testPlanner("marks high above the floor are in the plan", { prepare: withHighLabel }, async (tab) => {
-  await tab.until(() => window.shelfbeamPlanner.planner.document.labels.withPath("/labels/0") !== undefined);
+  await tab.reaches(({ planner }) => planner.document.labels.withPath("/labels/0") !== undefined);
   await tab.settle();
-  const picked = await tab.page.evaluate(() => {
-    const { planner, page } = window.shelfbeamPlanner;
-    return page.stage.pick(...planner.viewport.toScreen([12, 1.5]));
-  });
+  const picked = await tab.state(({ planner, page }) => page.stage.pick(...planner.viewport.toScreen([12, 1.5])));
   check(picked !== 0, "the mark is drawn");
 });
 
@@ -140,17 +122,15 @@ testPlanner("D shows the same selection in 3-D, where clicks select, too", {}, a
   await tab.press("d");
   await tab.until(() => document.querySelector(".plan").classList.contains("space"));
   equal(await tab.selected(), ["/fixtures/2"]);
-  const place = () =>
-    tab.page.evaluate(() => {
-      const { stage } = window.shelfbeamPlanner.page;
-      const box = stage.canvas.getBoundingClientRect();
-      const { x, y } = stage.project([11, 5.05, 2]);
-      return [box.left + x, box.top + y];
-    });
-  await tab.until(() => window.shelfbeamPlanner.page.stage.drawCalls > 4);
+  await tab.reaches(({ page }) => page.stage.drawCalls > 4);
   // From near, the top of the shelving is wider than the reach of its labels.
   await tab.press("+", "+", "+");
-  await tab.page.mouse.click(...(await place()));
+  const place = await tab.state(({ page: { stage } }) => {
+    const box = stage.canvas.getBoundingClientRect();
+    const { x, y } = stage.project([11, 5.05, 2]);
+    return [box.left + x, box.top + y];
+  });
+  await tab.page.mouse.click(...place);
   await tab.settle();
   equal(await tab.selected(), ["/fixtures/0"]);
   await tab.press("Shift+ArrowUp");
@@ -164,19 +144,19 @@ testPlanner("fingers move the plan, and never change the store", { hasTouch: tru
   const session = await tab.page.context().newCDPSession(tab.page);
   const touch = (type, ...points) =>
     session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const slide = async (ways, fingersAt) => {
+    await touch("touchStart", ...fingersAt(0));
+    for (const way of ways) await touch("touchMove", ...fingersAt(way));
+    await touch("touchEnd");
+    await tab.settle();
+    return tab.view();
+  };
   const [x, y] = await tab.at(10, 9.85);
   const before = await tab.view();
-  await touch("touchStart", [x, y]);
-  for (const way of [10, 20, 40, 60]) await touch("touchMove", [x + way, y]);
-  await touch("touchEnd");
-  await tab.settle();
-  const panned = await tab.view();
+  const panned = await slide([10, 20, 40, 60], (way) => [[x + way, y]]);
   check(panned.centre[0] < before.centre[0] - 1, "panned");
-  await touch("touchStart", [600, 300], [660, 300]);
-  for (const way of [10, 30, 60]) await touch("touchMove", [600 - way, 300], [660 + way, 300]);
-  await touch("touchEnd");
-  await tab.settle();
-  check((await tab.view()).scale > 2 * panned.scale, "pinched");
+  const pinched = await slide([10, 30, 60], (way) => [600 - way, 660 + way].map((place) => [place, 300]));
+  check(pinched.scale > 2 * panned.scale, "pinched");
   await tab.press("0");
   await tab.page.touchscreen.tap(...(await tab.at(10, 9.85)));
   await tab.settle();
@@ -190,20 +170,18 @@ for (const store of ["thesis", "grocery", "chiller", "market-hall", "supermarket
     [1920, 1080, true],
   ])
     testPlanner(`a picture of ${store} at ${width} x ${height}`, { store, width, height, dark }, async (tab) => {
-      const fits = await tab.page.evaluate(() => {
-        const { viewport, wholeBounds } = window.shelfbeamPlanner.planner;
-        const corners = [wholeBounds.lower, wholeBounds.upper].map((corner) => viewport.toScreen(corner));
-        return corners.every(([x, y]) => x > 0 && y > 0 && x < viewport.width && y < viewport.height);
-      });
-      check(fits, "everything is shown at first");
+      const corners = await tab.state(({ planner: { viewport, wholeBounds } }) =>
+        [wholeBounds.lower, wholeBounds.upper].map((corner) => viewport.toScreen(corner)),
+      );
+      const fits = corners.every(([x, y]) => x > 0 && y > 0 && x < width && y < height);
+      check(fits, `everything is shown at first: ${corners}`);
       await tab.picture(`${store}-${width}`);
     });
 
 testPlanner("view: the plan outlives the loss of WebGL", { smoke: true }, async (tab) => {
   // The page keeps what it showed before. The result: the pixels of marks, and those that differ.
   const compare = (selector) =>
-    tab.page.evaluate((of) => {
-      const { stage } = window.shelfbeamPlanner.page;
+    tab.state(({ page: { stage } }, of) => {
       const canvas = document.querySelector(of);
       const copy = document.createElement("canvas");
       [copy.width, copy.height] = [canvas.width, canvas.height];
@@ -218,7 +196,7 @@ testPlanner("view: the plan outlives the loss of WebGL", { smoke: true }, async 
     }, selector);
   const { drawn } = await compare("canvas.marks");
   check(drawn > 1000, `${drawn} pixels`);
-  await tab.page.evaluate(() => {
+  await tab.evaluate(() => {
     window.gl = document.querySelector("canvas.marks").getContext("webgl2").getExtension("WEBGL_lose_context");
     window.gl.loseContext();
   });
@@ -231,7 +209,7 @@ testPlanner("view: the plan outlives the loss of WebGL", { smoke: true }, async 
   await tab.drag([10, 9.85], [11, 9.85]);
   await tab.steps(1);
   check((await compare("canvas.marks + canvas")).differ > flat.differ, "negative control: marks that have moved");
-  await tab.page.evaluate(() => window.gl.restoreContext());
+  await tab.evaluate("window.gl.restoreContext()");
   await tab.until(() => document.querySelector("canvas.marks + canvas:not([hidden])") === null);
   await tab.press("Control+z", "Escape");
   await tab.steps(0);

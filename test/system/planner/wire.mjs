@@ -3,9 +3,12 @@
 import { createServer, request as ask } from "node:http";
 import { createRequire } from "node:module";
 
+import { poll } from "./poll.mjs";
+
 export class Wire {
   /** Requests go on when this promise is fulfilled. */
   #free = Promise.resolve();
+  #held = 0;
   #isCut = false;
   /** The reason for which edits are refused; null: they are not. */
   refuse = null;
@@ -29,10 +32,20 @@ export class Wire {
   /** Holds all requests until the returned function is called. */
   hold() {
     let release;
+    this.#held = 0;
     this.#free = new Promise((done) => {
       release = done;
     });
     return release;
+  }
+
+  /** Until so many requests have come since `hold`. */
+  holds(count) {
+    return poll(
+      () => this.#held,
+      (held) => held >= count,
+      (held) => `${held} of ${count} requests have come`,
+    );
   }
 
   /** Cuts all connections, and those that the page begins until `mend`. */
@@ -74,6 +87,7 @@ export class Wire {
         return;
       }
       const free = this.#free;
+      ++this.#held;
       last = last.then(() => free).then(() => server.send(String(data)));
     });
     server.on("message", (data, isBinary) => socket.send(data, { binary: isBinary }));

@@ -1,6 +1,8 @@
 // What one test works with: servers and tabs of its own, which end with it.
 
+import { execFile } from "node:child_process";
 import { join } from "node:path";
+import { promisify } from "node:util";
 
 import { Served } from "./served.mjs";
 import { Tab } from "./tab.mjs";
@@ -24,18 +26,21 @@ export class Workshop {
     return server;
   }
 
-  async tab(server, { width = 1280, height = 720, dark = false, script = null, ...options } = {}) {
+  async tab(server, { width = 1280, height = 720, dark = false, ...options } = {}) {
     const context = await this.tools.browser.newContext({
       viewport: { width, height },
       colorScheme: dark ? "dark" : "light",
       ...options,
     });
     this.#contexts.push(context);
-    // What a test puts before the script of the page, and its argument.
-    if (script) await context.addInitScript(...script);
     const tab = new Tab(await context.newPage(), server, this.tools.pictures);
     await tab.open();
     return tab;
+  }
+
+  /** What the program prints, which must succeed. Meanwhile, other tests go on. */
+  async run(...words) {
+    return (await promisify(execFile)(this.tools.shelfbeam, words)).stdout;
   }
 
   async close() {

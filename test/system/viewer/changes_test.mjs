@@ -47,11 +47,8 @@ testReport("options of a mounting point exclude one another", { of: "options" },
     };
     return [units, units.map(afterSwitching)];
   });
-  equal(
-    states,
-    mount.map((unit) => [unit]),
-    "options that are on",
-  );
+  const alone = mount.map((unit) => [unit]);
+  equal(states, alone, "options that are on");
 });
 
 testReport("thresholds are edited, and the shares follow", { of: "grocery" }, async (page, plan, { picture }) => {

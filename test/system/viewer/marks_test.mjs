@@ -39,11 +39,8 @@ testReport("a click on a label shows what its transceivers give it", { of: "groc
     return rows.map((row) => [Number(row.dataset.unit), ...numbers(row)]);
   });
   const columns = columnsOf(plan, units);
-  equal(
-    rows.map(([unit]) => unit).sort((a, b) => a - b),
-    columns,
-    "units",
-  );
+  const shown = rows.map(([unit]) => unit).sort((a, b) => a - b);
+  equal(shown, columns, "units");
   const factor = await factorOf(page);
   for (const [unit, mean, error, direct] of rows) {
     const place = label * units.length + unit;
@@ -53,19 +50,13 @@ testReport("a click on a label shows what its transceivers give it", { of: "groc
     check(Math.abs(direct - share) < 0.6, "direct share");
   }
   const signals = rows.map(([, mean]) => mean);
-  equal(
-    signals,
-    [...signals].sort((a, b) => b - a),
-    "order of signals",
-  );
+  const sorted = [...signals].sort((a, b) => b - a);
+  equal(signals, sorted, "order of signals");
   says(await page.text(".v3-card [data-fact=margin]"), "dB");
-  const lines = await page.run(
-    ({
-      stage: {
-        links: { mesh },
-      },
-    }) => mesh.visible && mesh.geometry.instanceCount,
-  );
+  const lines = await page.run((view) => {
+    const { mesh } = view.stage.links;
+    return mesh.visible && mesh.geometry.instanceCount;
+  });
   equal(lines, columns.length, "lines");
   await given.picture(page, "label");
   await page.press("Escape");
@@ -77,12 +68,9 @@ testReport("a click on a transceiver shows its reach", { of: "grocery" }, async 
   const id = units[await clickMark(page, "unit")];
   equal(await page.text(".v3-card h3"), id, "selected unit");
   const row = plan.chosen.find((unit) => unit.id === id);
-  equal(
-    Number.parseInt(await page.text(".v3-card [data-fact=alone]"), 10),
-    Number(row.reaches_alone),
-    "labels reached alone",
-  );
-  equal(Number.parseInt(await page.text(".v3-card [data-fact=decides]"), 10), Number(row.needed_by), "labels lost");
+  const fact = async (name) => Number.parseInt(await page.text(`.v3-card [data-fact=${name}]`), 10);
+  equal(await fact("alone"), Number(row.reaches_alone), "labels reached alone");
+  equal(await fact("decides"), Number(row.needed_by), "labels lost");
   says(await page.text(".v3-legend"), `reached alone: ${row.reaches_alone}`);
   await picture(page, "unit");
 });

@@ -36,24 +36,16 @@ const coverageOf = (page) =>
 
 /** Compares the counts with the files of the plan. */
 function coverageIs(shown, { labels, chosen, placement }) {
-  equal(
-    shown.labels,
-    labels.map(({ id }) => id),
-    "ids of labels",
-  );
+  const idsIn = (rows) => rows.map(({ id }) => id);
+  equal(shown.labels, idsIn(labels), "ids of labels");
   labels.forEach((row, label) => {
     near(shown.signal[label], Number(row.signal), 1e-8, `signal of ${row.id}`);
     near(shown.need[label], Number(row.requirement), 1e-8, `requirement of ${row.id}`);
     check(Math.abs(shown.margin[label] - Number(row.margin_db)) < 1e-6, `margin of ${row.id}`);
     equal(shown.serving[label], row.serving.split(";").filter(Boolean).length, `serving units of ${row.id}`);
   });
-  const ids = chosen.map(({ id }) => id);
-  equal(
-    shown.chosen.map(({ id }) => id),
-    ids,
-    "chosen units",
-  );
-  if (placement) equal([...ids].sort(), [...placement.selected].sort(), "selected units");
+  equal(idsIn(shown.chosen), idsIn(chosen), "chosen units");
+  if (placement) equal(idsIn(chosen).sort(), [...placement.selected].sort(), "selected units");
   chosen.forEach((row, k) => {
     const { reach, decides } = shown.chosen[k];
     equal(reach, Number(row.reaches_alone), `labels that ${row.id} reaches alone`);
@@ -99,8 +91,8 @@ for (const name of ["grocery", "alone", "spare", "spare-alone", "options"])
     entriesAre(await entriesOf(page), plan, rounding);
   });
 
-test("40,000 labels", async ({ makeLargePlan, open, picture }) => {
-  const plan = makeLargePlan();
+test("40,000 labels", async ({ makeLarge, open, picture }) => {
+  const plan = makeLarge();
   equal(plan.made.labels, 40000, "labels");
   const page = await open(plan);
   equal(page.errors, [], "errors");

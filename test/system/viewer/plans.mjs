@@ -67,46 +67,22 @@ function planChanging(shelfbeam, work, store) {
   const folder = join(work, "changing");
   const { labels, placement } = makePlan(shelfbeam, folder, changing, "--states", "0");
   const missed = labels.map(({ id }) => id).filter((_, k) => k % 11 === 5);
+  const { count, selected } = placement;
   const outcome = {
-    units: placement.count,
-    states: 300,
-    labels_below: 0,
-    worst_availability: 0.99,
-    all_reached: 0.99,
-    mean_missed: 0.01,
-    states_with_miss: 3,
-    missed: { [missed[0]]: 3 },
+    ...{ units: count, states: 300, labels_below: 0, worst_availability: 0.99 },
+    ...{ all_reached: 0.99, mean_missed: 0.01, states_with_miss: 3, missed: { [missed[0]]: 3 } },
   };
   const states = {
-    count: 300,
-    rule: "labels",
-    goal: null,
-    availability: 0.95,
-    other_availabilities: {},
-    confidence: 0.99,
-    covers: "states and sampling error",
-    assumes: "changes as in the store file",
-    certified: true,
-    labels_below: 0,
-    sample_count: outcome.units,
-    sample_value: outcome.units,
-    sample_lower_bound: 1,
-    sample_selected: placement.selected,
-    certified_count: outcome.units,
-    lower_bound: 1,
-    unreachable: [],
-    nominal: outcome,
-    sample: outcome,
+    ...{ count: 300, rule: "labels", goal: null, availability: 0.95, other_availabilities: {}, confidence: 0.99 },
+    ...{ covers: "states and sampling error", assumes: "changes as in the store file", certified: true },
+    ...{ labels_below: 0, sample_count: count, sample_value: count, sample_lower_bound: 1, sample_selected: selected },
+    ...{ certified_count: count, lower_bound: 1, unreachable: [], nominal: outcome, sample: outcome },
     examined: [outcome],
     shown_states: [
       { state: 1000000, missed: [] },
       { state: 1000217, missed },
     ],
-    responsible: [],
-    at_risk: [],
-    addition: null,
-    assumed: {},
-    open: null,
+    ...{ responsible: [], at_risk: [], addition: null, assumed: {}, open: null },
   };
   rebuild(shelfbeam, folder, { states });
   return readPlan(folder);
@@ -119,15 +95,10 @@ function certify(shelfbeam, { folder: original, labels, placement }, folder) {
   const missed = ids.filter((_, k) => k % 40 === 7);
   const undecided = ids.filter((_, k) => k % 40 === 21);
   const { count } = placement;
+  const reached = ids.length - missed.length - undecided.length;
   const certificate = {
-    confidence: 0.975,
-    reached: ids.length - missed.length - undecided.length,
-    missed,
-    undecided,
-    count_lower_bound: count - 1,
-    bound_labels: 41,
-    rounds: 3,
-    open: { code: "interrupted" },
+    ...{ confidence: 0.975, reached, missed, undecided },
+    ...{ count_lower_bound: count - 1, bound_labels: 41, rounds: 3, open: { code: "interrupted" } },
   };
   const curve = Array.from({ length: count }, (_, k) => ({
     units: k + 1,
@@ -141,32 +112,21 @@ function certify(shelfbeam, { folder: original, labels, placement }, folder) {
 /** A made-up effect of reflectances on a plan, with a different number at every position of the page. */
 function madeUpSensitivity(ids) {
   const least = (margin, label) => ({ smallest_margin: margin, standard_error: 0.01, label: ids[label] });
-  const step = (margin, label, change, mean, short) => ({
+  const step = (margin, label, change, mean_change, labels_short) => ({
     ...least(margin, label),
-    change,
-    change_standard_error: Math.abs(change) / 90,
-    mean_change: mean,
-    labels_short: short,
+    ...{ change, change_standard_error: Math.abs(change) / 90, mean_change, labels_short },
   });
   const material = (name, k) => ({
-    name,
-    reflectance: 0.5 + 0.013 * k,
-    range: [0.3 + 0.011 * k, 0.7 + 0.017 * k],
-    assumed: k % 2 === 1,
+    ...{ name, reflectance: 0.5 + 0.013 * k, range: [0.3 + 0.011 * k, 0.7 + 0.017 * k], assumed: k % 2 === 1 },
     low: step(0.713 + 0.041 * k, 3 + k, -0.431 + 0.0371 * k, -0.183 + 0.0151 * k, 9 - k),
     high: step(1.633 - 0.027 * k, 30 + k, 0.3, 0.231 - 0.0173 * k, 0),
   });
   return {
-    confidence: 0.975,
-    holds: "no",
-    assumed_error: 0.15,
-    as_given: least(1.293, 2),
+    ...{ confidence: 0.975, holds: "no", assumed_error: 0.15, as_given: least(1.293, 2) },
     low: { ...least(0.617, 5), missed: ids.slice(0, 23), undecided: ids.slice(40, 51) },
     high: { ...least(2.171, 6), missed: [], undecided: [] },
     materials: ["carton", "a floor", "plaster <white>", "steel", "foil"].map(material),
-    kept: ["glass"],
-    watched: 256,
-    batches: 64,
+    ...{ kept: ["glass"], watched: 256, batches: 64 },
   };
 }
 

@@ -1,26 +1,77 @@
 // Opens reports in the browser, with common queries of their 3-D view.
 
-import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { test } from "./check.mjs";
+import { Page } from "./page.mjs";
 
 export const urlOf = ({ folder }) => pathToFileURL(join(folder, "report.html")).href;
 
-export const reportsIn = (browser, pictures) => ({
-  /** Opens the report of a plan; with a hash, the view of that link. */
-  open: (plan, { hash = "", ...options } = {}) => browser.page(urlOf(plan) + hash, options),
+class Report extends Page {
+  /** Calls a function in the page with the 3-D view (`view`) and JSON arguments. */
+  run(call, ...values) {
+    return this.evaluate(`window.shelfbeamViewer.then((view) => (${call})(view, ...${JSON.stringify(values)}))`);
+  }
 
-  /** Saves a picture of the 3-D view and its controls. */
-  async picture(page, name) {
-    const clip = await page.evaluate(() => {
-      const { y, height } = document.querySelector("#viewer").getBoundingClientRect();
-      return { x: 0, y: y + scrollY, width: innerWidth, height };
-    });
-    writeFileSync(join(pictures, `${name}.png`), await page.screenshot(clip));
-  },
-});
+  focus(selector) {
+    return this.evaluate((of) => document.querySelector(of).focus(), selector);
+  }
+
+  type(text) {
+    return this.page.keyboard.insertText(text);
+  }
+
+  async click(x, y) {
+    await this.page.mouse.click(x, y);
+    await this.settle();
+  }
+
+  /** Clicks the upper left corner of an element. */
+  async clickOn(selector) {
+    await this.page.click(selector, { position: { x: 8, y: 8 } });
+    await this.settle();
+  }
+
+  darken(dark) {
+    return this.page.emulateMedia({ colorScheme: dark ? "dark" : "light" });
+  }
+}
+
+/** Reports of one test, in tabs that `close` closes. */
+export const reportsIn = (browser, pictures) => {
+  const contexts = [];
+  return {
+    /**
+     * Opens the report of a plan, with a hash the view of that link, and waits until the 3-D view is `ready`. `script`
+     * runs before those of the page.
+     */
+    async open(plan, { hash = "", width = 1000, height = 600, dark = false, ready = true, script, ...options } = {}) {
+      const context = await browser.newContext({
+        viewport: { width, height },
+        colorScheme: dark ? "dark" : "light",
+        ...options,
+      });
+      contexts.push(context);
+      if (script) await context.addInitScript(script);
+      const report = new Report(await context.newPage());
+      await report.page.goto(urlOf(plan) + hash);
+      if (ready) await report.evaluate("window.shelfbeamViewer.then(() => true)");
+      return report;
+    },
+
+    /** Saves a picture of the 3-D view and its controls. */
+    async picture({ page }, name) {
+      const clip = await page.evaluate(() => {
+        const { y, height } = document.querySelector("#viewer").getBoundingClientRect();
+        return { x: 0, y: y + scrollY, width: innerWidth, height };
+      });
+      await page.screenshot({ path: join(pictures, `${name}.png`), clip, fullPage: true });
+    },
+
+    close: () => Promise.all(contexts.map((context) => context.close())),
+  };
+};
 
 /** Defines a test of the report of a plan: the plan's name, the options of opening it, and the test function. */
 export const testReport = (what, { of, ...options }, run) =>

@@ -58,12 +58,8 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   const { certificate, count, solver } = placement;
   const needed = Math.ceil(placement.count_lower_bound - 1e-6);
   const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
-  const reached =
-    certificate?.reached ??
-    metBy(
-      plan,
-      labels.map(({ signal }) => Number(signal)),
-    );
+  const signals = labels.map(({ signal }) => Number(signal));
+  const reached = certificate?.reached ?? metBy(plan, signals);
   const share = reached === labels.length ? `all ${reached}` : `${reached} of ${labels.length}`;
   const receive = certificate && reached < labels.length ? "are confirmed to receive" : "receive";
   const isAssumed = placement.values.some(({ value, state }) => value === "threshold" && state === "assumed");
@@ -94,16 +90,8 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   });
   const { Placement: found, "Certificate from independent samples": fresh } = facts;
   const gap = (100 * (count - needed)) / count;
-  cellsAre(
-    found,
-    {
-      Transceivers: count,
-      "Lower bound on the count": needed,
-      "Gap of the count": gap,
-      Solver: solver,
-    },
-    "facts",
-  );
+  const expected = { Transceivers: count, "Lower bound on the count": needed, "Gap of the count": gap, Solver: solver };
+  cellsAre(found, expected, "facts");
   const [, redundant] = /\(([\d.]+)/.exec(found["Labels that at least two units each reach alone (redundant)"]);
   shows(redundant, 100 * placement.redundant_share, "redundant share");
   equal(fresh === undefined, certificate === undefined, "certificate");
@@ -113,22 +101,13 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
   const { confidence, reached, missed, undecided, count_lower_bound, open, ...of } = placement.certificate;
   equal(open.code, "interrupted", "reason");
   const ended = "it was interrupted";
-  cellsAre(
-    fresh,
-    {
-      "Joint confidence": 100 * confidence,
-      "Labels reached": reached,
-      "Lower bound on the count": count_lower_bound,
-      "Proven from": of.bound_labels,
-      Rounds: of.rounds,
-      "Verification ended because": ended,
-    },
-    "certificate",
-  );
-  for (const [name, ids] of [
-    ["Missed", missed],
-    ["Undecided", undecided],
-  ]) {
+  const expected = {
+    ...{ "Joint confidence": 100 * confidence, "Labels reached": reached, Rounds: of.rounds },
+    ...{ "Lower bound on the count": count_lower_bound, "Proven from": of.bound_labels },
+    "Verification ended because": ended,
+  };
+  cellsAre(fresh, expected, "certificate");
+  for (const [name, ids] of Object.entries({ Missed: missed, Undecided: undecided })) {
     const [count, parts] = fresh[name].split(": ");
     shows(count, ids.length, name);
     // More than four labels are counted by fixture.
@@ -176,31 +155,14 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
   equal(sensitivity.length, of.materials.length, "materials");
   of.materials.forEach(({ name, reflectance, range: [least, most], assumed, low, high }, k) => {
     const cells = sensitivity[k];
-    cellsAre(
-      cells,
-      [
-        name,
-        ,
-        decibelsOf(low.smallest_margin),
-        named(low.label),
-        low.label,
-        100 * low.change,
-        String(low.labels_short),
-        100 * low.mean_change,
-        decibelsOf(high.smallest_margin),
-        100 * high.mean_change,
-      ],
-      name,
-    );
+    const ofLow = [named(low.label), low.label, 100 * low.change, String(low.labels_short), 100 * low.mean_change];
+    const ofHigh = [decibelsOf(high.smallest_margin), 100 * high.mean_change];
+    cellsAre(cells, [name, , decibelsOf(low.smallest_margin), ...ofLow, ...ofHigh], name);
     shows(/± ([\d.]+)\)/.exec(cells[5])[1], 100 * low.change_standard_error, `error with ${name}`);
-    const [, given, lower, upper, star] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(cells[1]);
-    for (const [cell, value] of [
-      [given, reflectance],
-      [lower, least],
-      [upper, most],
-    ])
-      check(Math.abs(Number(cell) - value) <= 0.00051, `${name}: '${cell}' of ${value}`);
-    equal(star !== undefined, assumed, "assumed");
+    const [, ...given] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(cells[1]);
+    for (const [at, value] of [reflectance, least, most].entries())
+      check(Math.abs(Number(given[at]) - value) <= 0.00051, `${name}: '${given[at]}' of ${value}`);
+    equal(given[3] !== undefined, assumed, "assumed");
   });
   const { missed, undecided, smallest_margin } = of.low;
   const met = labels.length - missed.length - undecided.length;

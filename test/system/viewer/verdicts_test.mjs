@@ -17,13 +17,10 @@ const changes = {
 };
 
 testReport("verdicts are shown for the original plan", { of: "certified" }, async (page, plan, given) => {
-  const {
-    labels,
-    placement: { certificate },
-  } = plan;
-  const { reached, missed, undecided } = certificate;
+  const { labels, placement } = plan;
+  const { reached, missed, undecided } = placement.certificate;
   const { open, picture } = given;
-  const expected = labels.map(({ id }) => verdictOf(certificate, id));
+  const expected = labels.map(({ id }) => verdictOf(placement.certificate, id));
   equal(await verdictsOf(page), expected, "verdicts");
   const counts = `${reached} reached, ${missed.length} missed, ${undecided.length} undecided.`;
   says(await page.text(".v3-head"), `97.5 % confidence: ${counts}`);
@@ -39,11 +36,7 @@ testReport("verdicts are shown for the original plan", { of: "certified" }, asyn
   }
   for (const [what, change] of Object.entries(changes)) {
     await page.run(change);
-    equal(
-      await verdictsOf(page),
-      expected.map(() => null),
-      `verdicts with ${what}`,
-    );
+    equal([...new Set(await verdictsOf(page))], [null], `verdicts with ${what}`);
     await inCard("for the original plan only");
     says(await page.text(".v3-legend"), `no verdict: ${labels.length}`);
     says(await page.text(".v3-head"), "The certificate does not cover these changes.");
@@ -61,5 +54,5 @@ testReport("verdicts are shown for the original plan", { of: "certified" }, asyn
 const asked = { of: "grocery", hash: "#view=1&colour=certificate" };
 testReport("a plan without a certificate does not offer its colour", asked, async (page) => {
   equal(await page.run((view) => view.model.state.mode), "margin", "colour without a certificate");
-  equal(await page.evaluate(() => document.querySelectorAll("input[name=v3-colour]").length), 3, "colours");
+  equal((await page.texts("input[name=v3-colour]")).length, 3, "colours");
 });

@@ -25,24 +25,24 @@ import {
 } from "../../../../src/page/planner/backdrop/transform";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { Viewport } from "../../../../src/page/planner/view/viewport";
+import { double, near, points } from "./support.mjs";
 
 const changes = { note: () => {} };
 const metre = unitNamed("m");
 const foot = unitNamed("ft");
 
-const within = (min, max) => fc.double({ min, max, noNaN: true });
-const pixels = fc.tuple(within(0, 2480), within(0, 1754));
+const pixels = fc.tuple(double(0, 2480), double(0, 1754));
 const lines = fc
-  .record({ from: pixels, to: pixels, length: within(0.5, 100) })
+  .record({ from: pixels, to: pixels, length: double(0.5, 100) })
   .filter(({ from, to }) => Math.hypot(to[0] - from[0], to[1] - from[1]) > 20);
 const drawings = fc.record(
   {
     file: fc.constant("plan.png"),
     size: fc.constant([2480, 1754]),
-    at: fc.tuple(within(-50, 50), within(-50, 50)),
+    at: fc.tuple(double(-50, 50), double(-50, 50)),
     scale: lines,
     check: lines,
-    rotation_deg: within(-180, 180),
+    rotation_deg: double(-180, 180),
     crop: fc.constant([100, 200, 2000, 1500]),
   },
   { requiredKeys: ["file", "size", "at"] },
@@ -52,11 +52,6 @@ const units = fc.constantFrom(...["m", "cm", "mm", "ft", "in"].map(unitNamed));
 const plan = (more = {}) => ({ file: "plan.png", size: [2000, 1000], at: [0, 0], ...more });
 const lineOf = (x, y, u, v, length) => ({ from: [x, y], to: [u, v], length });
 const worldOf = (drawing, pixel, unit = metre) => toWorld(placementOf(drawing, unit), pixel);
-
-function near(found, expected, slack = 1e-6) {
-  const isNear = found.every((value, k) => Math.abs(value - expected[k]) <= slack);
-  assert.ok(isNear, `found ${found}, expected ${expected}`);
-}
 
 /** What rounding to a tenth of a millimetre moves, m. */
 const rounding = 2e-4;
@@ -113,7 +108,7 @@ test("a line becomes horizontal or vertical, whichever is nearer", () => {
 
 test("a turn keeps the middle of what is shown, a shift everything else", () => {
   fc.assert(
-    fc.property(drawings, units, within(-720, 720), within(-9, 9), (drawing, unit, degrees, way) => {
+    fc.property(drawings, units, double(-720, 720), double(-9, 9), (drawing, unit, degrees, way) => {
       const turned = turnedTo(drawing, unit, degrees);
       const [left, upper, right, lower] = drawing.crop ?? [0, 0, 2480, 1754];
       const middle = [0.5 * (left + right), 0.5 * (upper + lower)];
@@ -141,10 +136,7 @@ test("the same picture in other pixels takes the place of the old one", () => {
   );
   const taller = replacedBy(
     plan({ scale: lineOf(0, 1000, 500, 1000, 5), crop: [0, 500, 1000, 1000] }),
-    {
-      file: "tall.png",
-      size: [1000, 800],
-    },
+    { file: "tall.png", size: [1000, 800] },
     metre,
   );
   assert.deepEqual(taller.scale, lineOf(0, 800, 500, 800, 5), "m per pixel and the lower left corner stay");
@@ -202,14 +194,8 @@ test("a drawing with a unit has its size, and a new version keeps its coordinate
   const picture = replacedBy(sheet, { file: "c.png", size: [2000, 1000] }, metre);
   assert.deepEqual([picture.unit, picture.origin], [undefined, undefined]);
   near(toWorld(placementOf(picture, metre), [2000, 1000]), [2 + 25.4, 3]);
-  const scan = {
-    file: "a.pdf",
-    page: 3,
-    size: [600, 400],
-    at: [1, 1],
-    scale: lineOf(0, 0, 600, 0, 6),
-    rotation_deg: 0.37,
-  };
+  const page = { file: "a.pdf", page: 3, size: [600, 400], at: [1, 1] };
+  const scan = { ...page, scale: lineOf(0, 0, 600, 0, 6), rotation_deg: 0.37 };
   const exact = replacedBy(scan, next, metre);
   assert.deepEqual([exact.page, exact.rotation_deg, exact.scale, exact.at], [undefined, undefined, undefined, [1, 1]]);
   const feet = replacedBy(sheet, { ...next, unit: "ft" }, metre);
@@ -243,16 +229,8 @@ test("crops are whole pixels inside the picture", () => {
 test("values that the store reader refuses count as missing", () => {
   assert.equal(drawingOf({}), null);
   assert.equal(drawingOf({ drawing: { file: "a.png", size: [0, 10] } }), null);
-  const { at, scale, check, crop } = drawingOf({
-    drawing: {
-      file: "a.png",
-      size: [10, 10],
-      at: "here",
-      scale: lineOf(1, 1, 1, 1, 5),
-      check: lineOf(1, 1, 2, 1, -5),
-      crop: [5, 0, 2, 9],
-    },
-  });
+  const wrong = { at: "here", scale: lineOf(1, 1, 1, 1, 5), check: lineOf(1, 1, 2, 1, -5), crop: [5, 0, 2, 9] };
+  const { at, scale, check, crop } = drawingOf({ drawing: { file: "a.png", size: [10, 10], ...wrong } });
   assert.deepEqual([at, scale, check, crop], [[0, 0], undefined, undefined, undefined]);
 });
 
@@ -272,17 +250,12 @@ test("files are recognised by their first bytes", () => {
     png: ["\x89PNG\r\n\x1a\n"],
     jpg: ["\xff\xd8\xff\xe0"],
     webp: ["RIFF\x10\0\0\0WEBPVP8 "],
-    pdf: [
-      "%PDF-1.7",
-      "\xef\xbb\xbf%PDF-1.7",
-      "Content-Type: application/pdf\r\n\r\n%PDF-1.7",
-      `${"<br />".repeat(170)}%PDF-`,
-    ],
+    pdf: ["%PDF-1.7", "\xef\xbb\xbf%PDF-1.7", "Type: a/pdf\r\n\r\n%PDF-1.7", `${"<br />".repeat(170)}%PDF-`],
     dxf: [
       "\xef\xbb\xbf0\nSECTION",
       "0\rSECTION",
       "  0\r\nSECTION\r\n",
-      "999\nmade by hand\n",
+      "999\nby hand\n",
       "AutoCAD Binary DXF\r\n",
       "AC1032",
     ],
@@ -386,44 +359,20 @@ test("a picture is sent, and wrong files are refused with a reason", async () =>
     const { size } = await upload("http://here/", file(png));
     assert.deepEqual(size, [300, 400], "turned as the camera has noted");
   });
-  for (const [own, shown] of [
-    [
-      [1000, 998],
-      [1000, 998],
-    ],
-    [
-      [998, 1000],
-      [998, 1000],
-    ],
-    [
-      [998, 1000],
-      [1000, 998],
-    ], // noted by the camera
-    [
-      [9999, 10000],
-      [10000, 9999],
-    ],
-    [
-      [500, 500],
-      [500, 500],
-    ],
-    [
-      [1000, 980],
-      [1000, 980],
-    ],
-    [
-      [1000, 981],
-      [981, 1000],
-    ],
-    [
-      [3000, 10],
-      [10, 3000],
-    ],
+  for (const sizes of [
+    "1000,998 1000,998",
+    "998,1000 998,1000",
+    "998,1000 1000,998", // noted by the camera
+    "9999,10000 10000,9999",
+    "500,500 500,500",
+    "1000,980 1000,980",
+    "1000,981 981,1000",
+    "3000,10 10,3000",
   ]) {
-    const [width, height] = own;
+    const [[width, height], shown] = points(sizes);
     const answer = () => Response.json({ file: "plan.png", width, height }, { status: 201 });
     await withFakes({ answer, size: shown }, async () =>
-      assert.deepEqual((await upload("http://here/", file(png))).size, shown, `${own} as ${shown}`),
+      assert.deepEqual((await upload("http://here/", file(png))).size, shown, sizes),
     );
   }
   const sentence = "plan.png has more than 100 megapixels.";

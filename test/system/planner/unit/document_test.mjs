@@ -8,21 +8,13 @@ import { StoreDocument } from "../../../../src/page/planner/document/document";
 import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { noPreview } from "../../../../src/page/planner/document/preview";
 import { placeAgain, Selection } from "../../../../src/page/planner/view/selection";
+import { square } from "./support.mjs";
 
 globalThis.requestAnimationFrame = (run) => setTimeout(run);
 
-const square = (x) => [
-  [x, 0],
-  [x + 1, 0],
-  [x + 1, 1],
-  [x, 1],
-];
 const partAt = (index, x, id) => ({
-  key: `fixtures/${index}`,
-  path: `/fixtures/${index}`,
-  kind: "fixture",
-  id,
-  outline: square(x),
+  ...{ key: `fixtures/${index}`, path: `/fixtures/${index}`, kind: "fixture" },
+  ...{ id, outline: square(x, 0, 1) },
 });
 const store = {
   fixtures: [
@@ -33,18 +25,8 @@ const store = {
 };
 const history = { steps: [], position: 0 };
 const project = {
-  event: "project",
-  name: "shop",
-  file: "store.json",
-  version: "1",
-  tab: 1,
-  revision: 5,
-  json: store,
-  unit: "m",
-  parts: [partAt(0, 0, "A"), partAt(1, 2, "B"), partAt(2, 4, "C")],
-  problems: [],
-  history,
-  locked: null,
+  ...{ event: "project", name: "shop", file: "store.json", version: "1", tab: 1, revision: 5, json: store, unit: "m" },
+  ...{ parts: [partAt(0, 0, "A"), partAt(1, 2, "B"), partAt(2, 4, "C")], problems: [], history, locked: null },
 };
 const settled = () => new Promise((done) => setTimeout(done, 5));
 
@@ -70,28 +52,21 @@ function opened() {
   const connection = new Connection();
   const document = new StoreDocument(connection, new Changes());
   connection.onEvent(project);
-  const move = (index, x) => {
+  const set = (label, path, value) => {
     const builder = new EditBuilder(document.json);
-    builder.set(`/fixtures/${index}/at/0`, x);
-    return { label: `Move ${index}`, ops: builder.ops };
+    builder.set(path, value);
+    return { label, ops: builder.ops };
   };
-  const remove = (index) => {
-    const builder = new EditBuilder(document.json);
-    builder.set(`/fixtures/${index}`, undefined);
-    return { label: "Delete", ops: builder.ops };
-  };
+  const move = (index, x) => set(`Move ${index}`, `/fixtures/${index}/at/0`, x);
+  const remove = (index) => set("Delete", `/fixtures/${index}`, undefined);
   return { connection, document, move, remove };
 }
 
 const changed = (revision, ops, more = {}) => ({
-  event: "changed",
-  revision,
-  ops,
-  problems: [],
-  history,
-  locked: null,
+  ...{ event: "changed", revision, ops, problems: [], history, locked: null },
   ...more,
 });
+const placesIn = ({ json }) => json.fixtures.map(({ at }) => at[0]);
 
 test("an edit shows at once, and stays when it is confirmed", async () => {
   const { connection, document, move } = opened();
@@ -138,10 +113,7 @@ test("another window's edit comes below those that wait", async () => {
   const { connection, document, move } = opened();
   void document.edit(move(0, 9));
   connection.onEvent(changed(6, [{ path: "/fixtures/2/at/0", before: 4, after: 7 }], { tab: 2, request: 1 }));
-  assert.deepEqual(
-    document.json.fixtures.map(({ at }) => at[0]),
-    [9, 2, 7],
-  );
+  assert.deepEqual(placesIn(document), [9, 2, 7]);
 });
 
 test("places and selection follow a removal before the server knows it", async () => {
@@ -215,10 +187,7 @@ test("after a lost connection, what the server has not received is sent again, o
     connection.sent.map(({ members }) => members.label),
     ["Move 1"],
   );
-  assert.deepEqual(
-    document.json.fixtures.map(({ at }) => at[0]),
-    [9, 8, 4],
-  );
+  assert.deepEqual(placesIn(document), [9, 8, 4]);
   connection.onEvent(changed(7, connection.sent[0].members.ops, { tab: 1, request: connection.sent[0].id }));
   assert.equal(await missed, true);
 });

@@ -13,22 +13,10 @@ import { alternativeOf, commonFields, fieldsOf, variantOf } from "../../../../sr
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { text } from "../../../../src/page/planner/text";
 import { parse } from "../jsonc.mjs";
+import { points } from "./support.mjs";
 
 const fixtureTypes = ["gondola", "freezer", "box", "prism", "cylinder", "panel", "mesh"];
-const kinds = [
-  "room",
-  "zone",
-  "wall",
-  "opening",
-  "label",
-  "plane",
-  "unit",
-  "grid",
-  "area",
-  "rail",
-  "faces",
-  "keep_out",
-];
+const kinds = "room zone wall opening label plane unit grid area rail faces keep_out".split(" ");
 const groups = [
   ...fixtureTypes.map((type) => groupOfElement("fixture", type)),
   ...kinds.map((kind) => groupOfElement(kind, "")),
@@ -58,20 +46,11 @@ test("every key of the schema has a name", () => {
 });
 
 test("numbers have the right unit of measure", () => {
-  const lengths = [
-    "length",
-    "at",
-    "spacing",
-    "positions",
-    "shelves",
-    "from",
-    "offset",
-    "below_ceiling",
-    "thickness",
-    "radius",
-    "z",
-    "shift",
-  ];
+  const expected = {
+    length: "length at spacing positions shelves from offset below_ceiling thickness radius z shift",
+    degrees: "rotation_deg tilt_deg roll_deg",
+    none: "stocking order peak eta count normal axes scale",
+  };
   const measures = (key) =>
     new Set(
       allFields
@@ -79,16 +58,10 @@ test("numbers have the right unit of measure", () => {
         .flatMap(({ type }) => (type.kind === "either" ? type.options : [type]))
         .flatMap(({ measure }) => measure ?? []),
     );
-  for (const key of lengths) assert.deepEqual([...measures(key)], ["length"], key);
-  for (const key of ["rotation_deg", "tilt_deg", "roll_deg"]) assert.deepEqual([...measures(key)], ["degrees"], key);
-  for (const key of ["stocking", "order", "peak", "eta", "count", "normal", "axes", "scale"])
-    assert.deepEqual([...measures(key)], ["none"], key);
-  assert.deepEqual(["at_m", "wavelength_nm", "absorption_per_m", "unit_power_db"].map(measureOf), [
-    "m",
-    "nm",
-    "1/m",
-    "dB",
-  ]);
+  for (const [measure, keys] of Object.entries(expected))
+    for (const key of keys.split(" ")) assert.deepEqual([...measures(key)], [measure], key);
+  const suffixed = ["at_m", "wavelength_nm", "absorption_per_m", "unit_power_db"];
+  assert.deepEqual(suffixed.map(measureOf), ["m", "nm", "1/m", "dB"]);
 });
 
 test("only values that nobody types are shown as JSON", () => {
@@ -155,25 +128,15 @@ test("several elements have their common fields", () => {
 });
 
 test("values: own, of a preset, default, mixed", () => {
-  const details = {
-    effective: { depth: 0.9, labels: { type: "large" } },
-    inherited: { depth: 0.9, labels: { type: "large" } },
-    resolved: null,
-  };
+  const inherited = { depth: 0.9, labels: { type: "large" } };
+  const details = { effective: inherited, inherited, resolved: null };
   const target = (own) => ({
-    path: "/fixtures/0",
-    own: { preset: "row", ...own },
-    effective: { ...details.effective, ...own },
-    details,
+    ...{ path: "/fixtures/0", details },
+    ...{ own: { preset: "row", ...own }, effective: { ...inherited, ...own } },
   });
   const shown = (targets, pointer, fallback) => shownAt(targets, pointer, () => fallback);
-  assert.deepEqual(shown([target({})], "/depth", 1), {
-    own: undefined,
-    base: 0.9,
-    origin: "row",
-    isMixed: false,
-    isOwn: false,
-  });
+  const fromPreset = { own: undefined, base: 0.9, origin: "row", isMixed: false, isOwn: false };
+  assert.deepEqual(shown([target({})], "/depth", 1), fromPreset);
   assert.equal(shown([target({})], "/height", 2).base, 2);
   assert.equal(shown([target({ depth: 3 })], "/depth", 1).own, 3);
   assert.equal(shown([target({ depth: 3 })], "/depth", 1).base, 0.9);
@@ -183,63 +146,41 @@ test("values: own, of a preset, default, mixed", () => {
 });
 
 test("first values are complete", () => {
-  const around = {
-    json: { materials: { steel: {} }, label_types: { small: {} } },
-    shared: {},
-    unit: unitNamed("mm"),
-    part: null,
-  };
+  const json = { materials: { steel: {} }, label_types: { small: {} } };
+  const around = { json, shared: {}, unit: unitNamed("mm"), part: null };
   const labels = groupOfElement("fixture", "gondola").variants[0].fields.find(({ key }) => key === "labels").type;
   assert.deepEqual(initialValue(labels, "labels", around), { type: "small", spacing: 1000 });
   const against = groupOfElement("fixture", "gondola").variants[0].fields.find(({ key }) => key === "against").type;
   assert.deepEqual(initialObject(against.group, 0, around), { wall: 0, from: 0 });
   const footing = { at: [1, 2], rotation: 90, length: 3, depth: 1 };
-  const part = {
-    kind: "fixture",
-    type: "box",
-    outline: [
-      [0, 2],
-      [1, 5],
-    ],
-    footing,
-    height: 2,
-  };
+  const part = { kind: "fixture", type: "box", outline: points("0,2 1,5"), footing, height: 2 };
   const box = groupOfElement("fixture", "box").variants;
   const value = (variant, key) =>
     initialValue(box[variant].fields.find((field) => field.key === key).type, key, { ...around, part });
   assert.deepEqual(
     [value(0, "at"), value(0, "size"), value(1, "max")],
-    [
-      [1000, 2000, 0],
-      [3000, 1000, 2000],
-      [1000, 5000, 2000],
-    ],
+    points("1000,2000,0 3000,1000,2000 1000,5000,2000"),
   );
 });
 
 test("lengths of presets of a catalogue are in the unit of the store", () => {
-  const fixture = {
-    type: "gondola",
-    length: 1330,
-    shelves: [350, 800],
-    labels: { type: "small", spacing: 300, tilt_deg: 20 },
-    repeat: { count: 3, step: [0, 2.4] },
-  };
-  const units = { length: "mm", shelves: "mm", labels: "mm" };
-  assert.deepEqual(inUnit(fixture, units, unitNamed("m")), {
-    type: "gondola",
-    length: 1.33,
-    shelves: [0.35, 0.8],
-    labels: { type: "small", spacing: 0.3, tilt_deg: 20 },
-    repeat: { count: 3, step: [0, 2.4] },
+  const fixture = (length, shelves, spacing) => ({
+    ...{ type: "gondola", length, shelves, labels: { type: "small", spacing, tilt_deg: 20 } },
+    repeat: { count: 3, step: [0, 2.4] }, // of the store
   });
+  const units = { length: "mm", shelves: "mm", labels: "mm" };
+  const found = inUnit(fixture(1330, [350, 800], 300), units, unitNamed("m"));
+  assert.deepEqual(found, fixture(1.33, [0.35, 0.8], 0.3));
 });
 
 test("paths of problems lead to their fields", () => {
-  assert.equal(pointerOfPath("fixtures[3].labels.spacing"), "/fixtures/3/labels/spacing");
-  assert.equal(pointerOfPath("fixtures[0].depth (preset 'run 1.33')"), "/fixtures/0/depth");
-  assert.equal(pointerOfPath("room"), "/room");
-  assert.equal(pointerOfPath("transceivers.grids[0].min[1]"), "/transceivers/grids/0/min/1");
+  for (const [path, pointer] of [
+    ["fixtures[3].labels.spacing", "/fixtures/3/labels/spacing"],
+    ["fixtures[0].depth (preset 'run 1.33')", "/fixtures/0/depth"],
+    ["room", "/room"],
+    ["transceivers.grids[0].min[1]", "/transceivers/grids/0/min/1"],
+  ])
+    assert.equal(pointerOfPath(path), pointer);
 });
 
 test("a change in a list of a preset writes the whole list", () => {

@@ -14,6 +14,7 @@ import {
   tokensOf,
   valueAt,
 } from "../../../../src/page/planner/document/json";
+import { times } from "./support.mjs";
 
 const store = {
   name: "Kiosk",
@@ -96,6 +97,6 @@ test("edits and their inverses cancel", () => {
       assert.ok(equal(after, builder.json));
       assert.ok(equal(applyOps(after, inverseOf(builder.ops)), store));
     }),
-    { numRuns: 500 },
+    { numRuns: times(200, 5000) },
   );
 });

@@ -14,8 +14,8 @@ function chord(written, code) {
   return chordOf({ key: written.slice(held.length), code, ctrlKey, metaKey: false, shiftKey, altKey });
 }
 
-test("letters of other scripts are meant by their place", () => {
-  for (const [written, code, expected] of [
+for (const [what, keys] of Object.entries({
+  "letters of other scripts are meant by their place": [
     ["ц", "KeyW", "W"], // Russian
     ["Ctrl+я", "KeyZ", "Ctrl+Z"],
     ["Ctrl+Shift+Я", "KeyZ", "Ctrl+Shift+Z"],
@@ -27,12 +27,8 @@ test("letters of other scripts are meant by their place", () => {
     ["۲", "Digit2", "2"], // Persian
     ["ә", "Digit2", "2"], // Kazakh
     ["х", "BracketLeft", "Х"], // no letter on an English keyboard, so no command
-  ])
-    assert.equal(chord(written, code), expected, written);
-});
-
-test("Latin layouts that place letters elsewhere are meant by what they write", () => {
-  for (const [written, code, expected] of [
+  ],
+  "Latin layouts that place letters elsewhere are meant by what they write": [
     ["Ctrl+z", "KeyY", "Ctrl+Z"], // QWERTZ
     ["Ctrl+y", "KeyZ", "Ctrl+Y"],
     ["Ctrl+a", "KeyQ", "Ctrl+A"], // AZERTY
@@ -45,26 +41,21 @@ test("Latin layouts that place letters elsewhere are meant by what they write", 
     ["ı", "KeyI", "I"], // Turkish
     ["Enter", "Enter", "Enter"],
     ["Dead", "BracketLeft", "Dead"],
-  ])
-    assert.equal(chord(written, code), expected, written);
-});
-
-test("symbols on letter keys are meant by their place after a letter of another script", () => {
-  assert.equal(chord("v", "KeyV"), "V");
-  assert.equal(chord("'", "KeyW"), "'");
-  assert.equal(chord("ש", "KeyA"), "A");
-  assert.equal(chord("'", "KeyW"), "W"); // Hebrew
-  assert.equal(chord("/", "KeyQ"), "Q");
-  assert.equal(chord("/", "Slash"), "/");
-  assert.equal(chord("-", "Minus"), "-");
-  assert.equal(chord("Ctrl+z", "KeyZ"), "Ctrl+Z"); // macOS gives Latin letters with its command key
-  assert.equal(chord("'", "KeyW"), "W");
-  assert.equal(chord("v", "KeyV"), "V");
-  assert.equal(chord("'", "KeyW"), "'");
-});
-
-test("plus, minus, question mark and digits are found on other layouts and the number pad", () => {
-  for (const [written, code, expected] of [
+  ],
+  "symbols on letter keys are meant by their place after a letter of another script": [
+    ["v", "KeyV", "V"],
+    ["'", "KeyW", "'"],
+    ["ש", "KeyA", "A"],
+    ["'", "KeyW", "W"], // Hebrew
+    ["/", "KeyQ", "Q"],
+    ["/", "Slash", "/"],
+    ["-", "Minus", "-"],
+    ["Ctrl+z", "KeyZ", "Ctrl+Z"], // macOS gives Latin letters with its command key
+    ["'", "KeyW", "W"],
+    ["v", "KeyV", "V"],
+    ["'", "KeyW", "'"],
+  ],
+  "plus, minus, question mark and digits are found on other layouts and the number pad": [
     ["+", "NumpadAdd", "+"],
     ["-", "NumpadSubtract", "-"],
     ["1", "Numpad1", "1"],
@@ -78,6 +69,8 @@ test("plus, minus, question mark and digits are found on other layouts and the n
     ["Shift+/", "Digit7", "/"], // German
     ["Shift+@", "Digit2", "Shift+2"], // English
     ['Shift+"', "Digit2", "Shift+2"], // German
-  ])
-    assert.equal(chord(written, code), expected, written);
-});
+  ],
+}))
+  test(what, () => {
+    for (const [written, code, expected] of keys) assert.equal(chord(written, code), expected, written);
+  });

@@ -4,23 +4,15 @@ import { test } from "node:test";
 import fc from "fast-check";
 
 import { EditBuilder } from "../../../../src/page/planner/document/edit";
-import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { outlineOf } from "../../../../src/page/planner/geometry/rigid";
 import { addBlock } from "../../../../src/page/planner/make/block";
 import { addHole, addZone, isBare, losesWalls, setRoom } from "../../../../src/page/planner/make/room";
 import { addRun, runAlong, setRows } from "../../../../src/page/planner/make/run";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../../../../src/page/planner/make/walls";
+import { double, isNear, near, points, rectangle, site } from "./support.mjs";
 
 const room = { size: [20, 15, 3.5], floor: "floor", ceiling: "white", walls: { x0: "plaster", x1: "glass" } };
 const bare = { room, fixtures: [], transceivers: { areas: [{ type: "t", area: "room", spacing: 1 }] } };
-const site = (json, unit = "m") => ({ json, unit: unitNamed(unit), taken: new Set() });
-const close = (a, b, slack = 1e-6) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) < slack);
-const rectangle = (x, y, u, v) => [
-  [x, y],
-  [u, y],
-  [u, v],
-  [x, v],
-];
 
 test("the first rectangle is a box at the origin", () => {
   const builder = new EditBuilder(bare);
@@ -30,13 +22,7 @@ test("the first rectangle is a box at the origin", () => {
 });
 
 test("another outline keeps materials, zones and inner walls, and begins at 0 only in a bare shop", () => {
-  const outline = [
-    [1, 1],
-    [9, 1],
-    [9, 5],
-    [4, 7],
-    [1, 7],
-  ];
+  const outline = points("1,1 9,1 9,5 4,7 1,7");
   const first = new EditBuilder(bare);
   assert.deepEqual(setRoom(first, site(bare), outline), [1, 1]);
   assert.deepEqual(first.json.room.outline[3], [3, 6]);
@@ -68,16 +54,7 @@ test("lengths are those of the file", () => {
   const feet = { ...bare, units: "ft", room: { ...room, size: [60, 40, 12] } };
   const builder = new EditBuilder(feet);
   addZone(builder, site(feet, "ft"), rectangle(0, 0, 3.048, 6.096), 2.4384);
-  addWalls(
-    builder,
-    site(feet, "ft"),
-    [
-      [0, 0],
-      [3.048, 0],
-      [3.048, 3.048],
-    ],
-    0.1524,
-  ); // prettier-ignore
+  addWalls(builder, site(feet, "ft"), points("0,0 3.048,0 3.048,3.048"), 0.1524);
   assert.deepEqual(builder.json.room.zones[0].polygon, rectangle(0, 0, 10, 20));
   assert.equal(builder.json.room.zones[0].height, 8);
   const walls = builder.json.room.inner_walls;
@@ -89,63 +66,20 @@ test("doors and windows are on the nearest wall, in either direction", () => {
   const json = { ...bare, room: { ...room, inner_walls: [{ id: "W1", from: [5, 2], to: [5, 8] }] } };
   const walls = wallLines(site(json));
   assert.equal(walls.length, 5);
-  const top = wallNear(
-    walls,
-    [
-      [8, 14.8],
-      [9, 14.9],
-    ],
-    0.5,
-  );
+  const top = wallNear(walls, points("8,14.8 9,14.9"), 0.5);
   assert.equal(top.number, 2);
-  assert.equal(
-    wallNear(
-      walls,
-      [
-        [8, 7],
-        [9, 7],
-      ],
-      0.5,
-    ),
-    null,
-  );
+  assert.equal(wallNear(walls, points("8,7 9,7"), 0.5), null);
   const builder = new EditBuilder(json);
-  addOpening(
-    builder,
-    site(json),
-    top,
-    [
-      [8, 14.9],
-      [6.5, 15],
-    ],
-    { bottom: 0.9, top: 2.1, material: "glass" },
-  ); // prettier-ignore
-  assert.deepEqual(builder.json.room.openings, [
-    { wall: 2, at: 12, width: 1.5, bottom: 0.9, top: 2.1, material: "glass" },
-  ]);
-  const inner = wallNear(
-    walls,
-    [
-      [5.1, 3],
-      [5, 4],
-    ],
-    0.5,
-  );
-  addOpening(
-    builder,
-    site(json),
-    inner,
-    [
-      [5, 3],
-      [5, 4],
-    ],
-    { bottom: 0, top: 2.1 },
-  ); // prettier-ignore
+  const window = { bottom: 0.9, top: 2.1, material: "glass" };
+  addOpening(builder, site(json), top, points("8,14.9 6.5,15"), window);
+  assert.deepEqual(builder.json.room.openings, [{ wall: 2, at: 12, width: 1.5, ...window }]);
+  const inner = wallNear(walls, points("5.1,3 5,4"), 0.5);
+  addOpening(builder, site(json), inner, points("5,3 5,4"), { bottom: 0, top: 2.1 });
   assert.deepEqual(builder.json.room.inner_walls[0].openings, [{ at: 1, width: 1, top: 2.1 }]);
   assert.equal(along(inner, [5, 20]), 6);
 });
 
-const double = {
+const twoSided = {
   preset: "row",
   own: {},
   effective: { type: "gondola", length: 1.25, depth: 0.9, height: 1.6, faces: ["front", "back"] },
@@ -153,92 +87,42 @@ const double = {
   module: 1.25,
   base: { length: 1.25, depth: 0.9, height: 1.6 },
 };
-const single = { ...double, preset: "wall", effective: { ...double.effective, depth: 0.5, faces: ["front"] } };
+const single = { ...twoSided, preset: "wall", effective: { ...twoSided.effective, depth: 0.5, faces: ["front"] } };
 
 test("a run has whole modules, and its middle line or its back is where it was drawn", () => {
   fc.assert(
-    fc.property(
-      fc.tuple(fc.double({ min: 6, max: 14, noNaN: true }), fc.double({ min: 5, max: 10, noNaN: true })),
-      fc.double({ min: 0.2, max: 8, noNaN: true }),
-      fc.double({ min: 0, max: 360, noNaN: true }),
-      (from, length, degrees) => {
-        const way = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-        const to = from.map((value, k) => value + length * way[k]);
-        const builder = new EditBuilder(bare);
-        for (const preset of [double, single]) {
-          const run = runAlong(site(bare), preset, [], [from, to]);
-          assert.equal(run.length, Math.max(1, Math.round(length / 1.25)) * 1.25);
-          assert.equal(
-            runAlong(site(bare), preset, [], [from, to], { isExact: true }).length,
-            Math.hypot(to[0] - from[0], to[1] - from[1]),
-          );
-          const corners = outlineOf({ ...run, rotation: run.rotation });
-          const middle = (a, b) => a.map((value, k) => 0.5 * (value + b[k]));
-          const line =
-            preset === double
-              ? [middle(corners[0], corners[3]), middle(corners[1], corners[2])]
-              : [corners[3], corners[2]];
-          assert.ok(close(line[0], from, 1e-9));
-          assert.ok(
-            close(
-              line[1],
-              from.map((value, k) => value + run.length * way[k]),
-              1e-9,
-            ),
-          ); // prettier-ignore
-          const path = addRun(builder, site(bare), preset, run);
-          const { at } = builder.get(path);
-          assert.ok(close(at, run.at, 1e-4));
-        }
-      },
-    ),
+    fc.property(fc.tuple(double(6, 14), double(5, 10)), double(0.2, 8), double(0, 360), ([x, y], length, degrees) => {
+      const way = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      const after = (distance) => [x + distance * way[0], y + distance * way[1]];
+      const drawn = [[x, y], after(length)];
+      const builder = new EditBuilder(bare);
+      for (const preset of [twoSided, single]) {
+        const run = runAlong(site(bare), preset, [], drawn);
+        assert.equal(run.length, Math.max(1, Math.round(length / 1.25)) * 1.25);
+        const exact = runAlong(site(bare), preset, [], drawn, { isExact: true });
+        near([exact.length], [length], 1e-9);
+        const corners = outlineOf({ ...run, rotation: run.rotation });
+        const middle = (a, b) => a.map((value, k) => 0.5 * (value + b[k]));
+        const isMiddle = preset === twoSided;
+        near(isMiddle ? middle(corners[0], corners[3]) : corners[3], [x, y], 1e-9);
+        near(isMiddle ? middle(corners[1], corners[2]) : corners[2], after(run.length), 1e-9);
+        const path = addRun(builder, site(bare), preset, run);
+        near(builder.get(path).at, run.at, 1e-4);
+      }
+    }),
   );
 });
 
 test("shelving with a front alone clings to a wall near its line", () => {
   const walls = wallLines(site(bare));
-  const run = runAlong(site(bare), single, walls, [
-    [18, 14.4],
-    [8, 14.5],
-  ]); // prettier-ignore
+  const against = (text, preset = single, more = {}) => runAlong(site(bare), preset, walls, points(text), more).against;
+  const run = runAlong(site(bare), single, walls, points("18,14.4 8,14.5"));
   assert.deepEqual(run.against, { wall: 2, from: 2 });
   assert.equal(run.length, 10);
-  const back = runAlong(site(bare), single, walls, [
-    [8, 14.4],
-    [18, 14.4],
-  ]); // prettier-ignore
-  assert.deepEqual(back.against, { wall: 2, from: 2 }, "the beginning of the line stays");
-  for (const far of [
-    [
-      [8, 12],
-      [16, 12],
-    ],
-    [
-      [8, 14.5],
-      [14, 10],
-    ],
-  ]) // prettier-ignore
-    assert.equal(runAlong(site(bare), single, walls, far).against, null);
-  assert.equal(
-    runAlong(site(bare), double, walls, [
-      [8, 14.5],
-      [18, 14.5],
-    ]).against,
-    null,
-  ); // prettier-ignore
-  assert.equal(
-    runAlong(
-      site(bare),
-      single,
-      walls,
-      [
-        [8, 14.5],
-        [18, 14.5],
-      ],
-      { isFree: true },
-    ).against,
-    null,
-  ); // prettier-ignore
+  assert.deepEqual(against("8,14.4 18,14.4"), { wall: 2, from: 2 }, "the beginning of the line stays");
+  for (const far of ["8,12 16,12", "8,14.5 14,10"]) assert.equal(against(far), null);
+  assert.equal(against("8,14.5 18,14.5", twoSided), null);
+  assert.equal(against("8,14.5 18,14.5", single, { isFree: true }), null);
   const builder = new EditBuilder(bare);
   addRun(builder, site(bare), single, run);
   assert.deepEqual(builder.json.fixtures, [{ preset: "wall", id: "G1", against: { wall: 2, from: 2 }, length: 10 }]);
@@ -247,64 +131,33 @@ test("shelving with a front alone clings to a wall near its line", () => {
 test("a run like another fixture has its keys and the letter of its id", () => {
   const builder = new EditBuilder({ ...bare, fixtures: [{ id: "A1" }] });
   const around = { ...site(bare), taken: new Set(["A1"]) };
-  const like = { ...double, own: { height: 2, labels: { spacing: 0.8 } }, prefix: "A" };
-  const line = [
-    [1, 1],
-    [4, 1],
-  ]; // prettier-ignore
-  addRun(builder, around, like, runAlong(around, like, [], line));
+  const add = (preset, text) => addRun(builder, around, preset, runAlong(around, preset, [], points(text)));
+  add({ ...twoSided, own: { height: 2, labels: { spacing: 0.8 } }, prefix: "A" }, "1,1 4,1");
   const { at, ...others } = builder.json.fixtures[1];
   assert.deepEqual(others, { preset: "row", height: 2, labels: { spacing: 0.8 }, id: "A2", length: 2.5 });
   const box = { preset: null, own: { type: "box" }, prefix: null, module: null, base: null };
-  const sized = { ...box, effective: { type: "box", size: [1, 0.8, 0.9] } };
-  addRun(builder, around, sized, runAlong(around, sized, [], line));
+  add({ ...box, effective: { type: "box", size: [1, 0.8, 0.9] } }, "1,1 4,1");
   assert.deepEqual(builder.json.fixtures[2].size, [3, 0.8, 0.9]);
-  assert.equal(runAlong(around, { ...box, effective: { type: "prism" } }, [], line), null);
+  assert.equal(runAlong(around, { ...box, effective: { type: "prism" } }, [], points("1,1 4,1")), null);
   // One module that is as long as its model, but not as its preset.
-  const short = { ...double, module: 0.9, prefix: "E" };
-  addRun(
-    builder,
-    around,
-    short,
-    runAlong(
-      around,
-      short,
-      [],
-      [
-        [1, 2],
-        [1.9, 2],
-      ],
-    ),
-  );
+  add({ ...twoSided, module: 0.9, prefix: "E" }, "1,2 1.9,2");
   assert.equal(builder.json.fixtures[3].length, 0.9);
 });
 
 test("tables with labels at fixed places are a row", () => {
   const builder = new EditBuilder(bare);
   const effective = { type: "box", size: [1.2, 0.8, 1.2], labels: [{ position: [0.6, 0, 1], normal: [0, -1, 0] }] };
-  const pallet = { preset: "pallet", own: {}, prefix: null, module: 1.2, effective };
   const base = { length: 1.2, depth: 0.8, height: 1.2 };
-  const run = runAlong(
-    site(bare),
-    { ...pallet, base },
-    [],
-    [
-      [1, 1],
-      [4.5, 1],
-    ],
-    { isExact: true },
-  );
-  addRun(builder, site(bare), { ...pallet, base }, run);
+  const pallet = { preset: "pallet", own: {}, prefix: null, module: 1.2, effective, base };
+  const run = runAlong(site(bare), pallet, [], points("1,1 4.5,1"), { isExact: true });
+  addRun(builder, site(bare), pallet, run);
   const { at, ...others } = builder.json.fixtures[0];
   assert.deepEqual(others, { preset: "pallet", id: "B{n}", repeat: { count: 3, step: 1.2 } });
 });
 
 test("shelving at an inner wall does not cling to the outer wall behind it", () => {
   const walled = { ...bare, room: { ...room, inner_walls: [{ from: [2, 14.2], to: [12, 14.2], thickness: 0.12 }] } };
-  const run = runAlong(site(walled), single, wallLines(site(walled)), [
-    [10, 14.14],
-    [4, 14.14],
-  ]);
+  const run = runAlong(site(walled), single, wallLines(site(walled)), points("10,14.14 4,14.14"));
   assert.equal(run.against, null);
 });
 
@@ -328,44 +181,29 @@ test("rows of a run are one element", () => {
 });
 
 test("a block of four right angles is a box, another one a prism", () => {
-  const turned = (degrees, points) =>
-    points.map(([x, y]) => {
-      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-      return [5 + c * x - s * y, 5 + s * x + c * y];
-    });
+  const blockOf = (corners, top) => {
+    const builder = new EditBuilder(bare);
+    return builder.get(addBlock(builder, site(bare), corners, top, "steel"));
+  };
+  const turned = (degrees, [x, y]) => {
+    const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+    return [5 + c * x - s * y, 5 + s * x + c * y];
+  };
   fc.assert(
-    fc.property(
-      fc.double({ min: -180, max: 180, noNaN: true }),
-      fc.integer({ min: 0, max: 3 }),
-      fc.boolean(),
-      (degrees, first, isReversed) => {
-        const corners = turned(degrees, rectangle(0, 0, 2, 1));
-        const order = [0, 1, 2, 3].map((k) => corners[(first + (isReversed ? 4 - k : k)) % 4]);
-        const builder = new EditBuilder(bare);
-        const box = builder.get(addBlock(builder, site(bare), order, 0.9, "steel"));
-        assert.equal(box.type, "box");
-        const rotation = box.rotation_deg ?? 0;
-        const outline = outlineOf({ at: box.at.slice(0, 2), rotation, length: box.size[0], depth: box.size[1] });
-        for (const corner of corners) assert.ok(outline.some((other) => close(corner, other, 1e-3)));
-        assert.ok(rotation <= 45.001 || rotation >= 314.999);
-      },
-    ),
+    fc.property(double(-180, 180), fc.integer({ min: 0, max: 3 }), fc.boolean(), (degrees, first, isReversed) => {
+      const corners = rectangle(0, 0, 2, 1).map((corner) => turned(degrees, corner));
+      const box = blockOf(
+        [0, 1, 2, 3].map((k) => corners[(first + (isReversed ? 4 - k : k)) % 4]),
+        0.9,
+      );
+      assert.equal(box.type, "box");
+      const rotation = box.rotation_deg ?? 0;
+      const outline = outlineOf({ at: box.at.slice(0, 2), rotation, length: box.size[0], depth: box.size[1] });
+      for (const corner of corners) assert.ok(outline.some((other) => isNear(corner, other, 1e-3)));
+      assert.ok(rotation <= 45.001 || rotation >= 314.999);
+    }),
   );
-  const builder = new EditBuilder(bare);
-  const triangle = builder.get(
-    addBlock(
-      builder,
-      site(bare),
-      [
-        [1, 1],
-        [2, 1],
-        [1, 2],
-      ],
-      1,
-      "steel",
-    ),
-  ); // prettier-ignore
-  assert.equal(triangle.type, "prism");
-  const column = builder.get(addBlock(builder, site(bare), rectangle(1, 1, 1.5, 1.5), "ceiling", "steel"));
+  assert.equal(blockOf(points("1,1 2,1 1,2"), 1).type, "prism");
+  const column = blockOf(rectangle(1, 1, 1.5, 1.5), "ceiling");
   assert.deepEqual([column.type, column.top], ["prism", "ceiling"]);
 });

@@ -19,35 +19,16 @@ import {
   turnAbout,
 } from "../../../../src/page/planner/geometry/rigid";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
+import { double, near, points } from "./support.mjs";
 
 const metre = unitNamed("m");
-const close = (a, b, slack = 1e-6) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) < slack);
 
 const store = {
   units: "m",
   room: {
-    outline: [
-      [0, 0],
-      [10, 0],
-      [10, 8],
-      [0, 8],
-    ],
-    height: [
-      [0, 0, 3],
-      [10, 0, 3],
-      [0, 8, 4],
-    ],
-    zones: [
-      {
-        id: "zone",
-        polygon: [
-          [1, 1],
-          [2, 1],
-          [2, 2],
-        ],
-        height: 2.5,
-      },
-    ],
+    outline: points("0,0 10,0 10,8 0,8"),
+    height: points("0,0,3 10,0,3 0,8,4"),
+    zones: [{ id: "zone", polygon: points("1,1 2,1 2,2"), height: 2.5 }],
     inner_walls: [{ id: "wall", from: [4, 0], to: [4, 3] }],
     openings: [{ wall: 0, at: 1, width: 1, top: 2 }],
   },
@@ -55,77 +36,20 @@ const store = {
     { type: "gondola", id: "A{n}", at: [2, 2], length: 4, depth: 1, height: 2, repeat: { count: 3, step: [0, 2] } },
     { type: "box", id: "box", min: [5, 5, 0], max: [6, 7, 1] },
     { type: "box", id: "table", at: [5, 1, 0.2], size: [2, 1, 1], rotation_deg: 30 },
-    {
-      type: "prism",
-      id: "prism",
-      polygon: [
-        [7, 1],
-        [8, 1],
-        [8, 2],
-      ],
-      top: 1,
-    },
+    { type: "prism", id: "prism", polygon: points("7,1 8,1 8,2"), top: 1 },
     { type: "cylinder", id: "column", at: [3, 7], radius: 0.3, top: 2 },
-    {
-      type: "panel",
-      id: "panel",
-      corners: [
-        [1, 5, 2],
-        [2, 5, 2],
-        [2, 5, 3],
-      ],
-    },
+    { type: "panel", id: "panel", corners: points("1,5,2 2,5,2 2,5,3") },
     { type: "gondola", id: "row", at: [1, 1], length: 1, depth: 0.5, height: 2, repeat: { count: 3, step: 1 } },
   ],
   labels: [{ id: "label", position: [1, 2, 1], normal: [0, 1, 0.3] }],
-  measuring_planes: [
-    {
-      id: "plane",
-      origin: [1, 2, 1],
-      axes: [
-        [1, 0, 0],
-        [0, 0, 1],
-      ],
-      size: [3, 2],
-    },
-  ],
+  measuring_planes: [{ id: "plane", origin: [1, 2, 1], axes: points("1,0,0 0,0,1"), size: [3, 2] }],
   transceivers: {
     grids: [{ min: [1, 1], max: [5, 3], spacing: 1, z: 3 }],
-    areas: [
-      {
-        area: [
-          [1, 1],
-          [2, 1],
-          [2, 2],
-        ],
-        axes: [
-          [0, 0, -1],
-          [1, 0, -1],
-        ],
-      },
-      { area: "room" },
-    ],
-    rails: [
-      {
-        id: "rail",
-        points: [
-          [1, 1, 3],
-          [4, 1, 3],
-        ],
-      },
-    ],
+    areas: [{ area: points("1,1 2,1 2,2"), axes: points("0,0,-1 1,0,-1") }, { area: "room" }],
+    rails: [{ id: "rail", points: points("1,1,3 4,1,3") }],
     on: [{ fixture: "box" }],
     list: [{ id: "unit", position: [4, 4, 3], axis: [1, 0, -1] }],
-    keep_out: [
-      { min: [1, 1], max: [2, 3] },
-      {
-        polygon: [
-          [3, 3],
-          [4, 3],
-          [4, 4],
-        ],
-      },
-    ],
+    keep_out: [{ min: [1, 1], max: [2, 3] }, { polygon: points("3,3 4,3 4,4") }],
   },
 };
 
@@ -154,18 +78,9 @@ function after(path, ...motions) {
 }
 
 const all = [
-  "/room",
-  "/room/zones/0",
-  "/room/inner_walls/0",
+  ...["/room", "/room/zones/0", "/room/inner_walls/0", "/labels/0", "/measuring_planes/0"],
+  ...["grids/0", "areas/0", "rails/0", "list/0", "keep_out/0", "keep_out/1"].map((path) => `/transceivers/${path}`),
   ...store.fixtures.map((_, k) => `/fixtures/${k}`),
-  "/labels/0",
-  "/measuring_planes/0",
-  "/transceivers/grids/0",
-  "/transceivers/areas/0",
-  "/transceivers/rails/0",
-  "/transceivers/list/0",
-  "/transceivers/keep_out/0",
-  "/transceivers/keep_out/1",
 ];
 
 test("every kind of element moves, and back", () => {
@@ -174,11 +89,7 @@ test("every kind of element moves, and back", () => {
     assert.notDeepEqual(there, elementAt(store, path).value, path);
     assert.deepEqual(after(path, shiftBy([0.5, -0.25]), shiftBy([-0.5, 0.25])), elementAt(store, path).value, path);
   }
-  assert.deepEqual(after("/room", shiftBy([1, 2])).height, [
-    [1, 2, 3],
-    [11, 2, 3],
-    [1, 10, 4],
-  ]);
+  assert.deepEqual(after("/room", shiftBy([1, 2])).height, points("1,2,3 11,2,3 1,10,4"));
   assert.deepEqual(after("/labels/0", shiftBy([1, 2])), { id: "label", position: [2, 4, 1], normal: [0, 1, 0.3] });
 });
 
@@ -196,14 +107,7 @@ test("four quarter turns change nothing but angles", () => {
 test("the mirror image of a measuring plane faces where the mirror shows it", () => {
   const plane = after("/measuring_planes/0", mirrorAt(0, [3, 0]));
   // The plane faces -y, along the mirror.
-  assert.deepEqual(
-    [plane.origin, plane.axes[0], plane.normal],
-    [
-      [5, 2, 1],
-      [-1, 0, 0],
-      [0, -1, 0],
-    ],
-  );
+  assert.deepEqual([plane.origin, plane.axes[0], plane.normal], points("5,2,1 -1,0,0 0,-1,0"));
   // Negative control: the mirrored axes alone face +y.
   assert.equal(plane.axes[0][2] * plane.axes[1][0] - plane.axes[0][0] * plane.axes[1][2], 1);
 });
@@ -239,10 +143,10 @@ test("a fixture against a wall slides along it", () => {
 });
 
 const footings = fc.record({
-  at: fc.tuple(fc.double({ min: -20, max: 20, noNaN: true }), fc.double({ min: -20, max: 20, noNaN: true })),
+  at: fc.tuple(double(-20, 20), double(-20, 20)),
   rotation: fc.integer({ min: 0, max: 359 }),
-  length: fc.double({ min: 0.5, max: 10, noNaN: true }),
-  depth: fc.double({ min: 0.3, max: 2, noNaN: true }),
+  length: double(0.5, 10),
+  depth: double(0.3, 2),
 });
 const point = fc.tuple(fc.integer({ min: -9, max: 9 }), fc.integer({ min: -9, max: 9 }));
 
@@ -253,7 +157,7 @@ test("a mirrored rectangle covers the mirror image of the rectangle, and faces a
       const image = outlineOf(footing).map((corner) => moved(corner, motion));
       const [a, b, c, d] = outlineOf(movedFooting(footing, motion));
       // The front runs the other way.
-      assert.ok([b, a, d, c].every((corner, k) => close(corner, image[k])));
+      near([b, a, d, c].flat(), image.flat());
     }),
   );
 });
@@ -263,7 +167,7 @@ test("a turned rectangle covers the turned rectangle", () => {
     fc.property(footings, point, fc.integer({ min: -360, max: 360 }), (footing, fixed, degrees) => {
       const motion = turnAbout(degrees, fixed);
       const image = outlineOf(footing).map((corner) => moved(corner, motion));
-      assert.ok(outlineOf(movedFooting(footing, motion)).every((corner, k) => close(corner, image[k])));
+      near(outlineOf(movedFooting(footing, motion)).flat(), image.flat());
     }),
   );
 });
@@ -275,7 +179,7 @@ test("the opposite side stays when a side moves", () => {
       const frame = { ...footing, sides: ["x0", "x1", "y0", "y1"] };
       const next = resizedFrame(frame, side, to, metre);
       const [before, now] = [outlineOf(frame), outlineOf(next)];
-      for (const corner of corners[side]) assert.ok(close(before[corner], now[corner]));
+      for (const corner of corners[side]) near(now[corner], before[corner]);
       const size = side.startsWith("x") ? next.length : next.depth;
       assert.ok(size >= 0.05 && Math.abs(size * 100 - Math.round(size * 100)) < 1e-6);
     }),
@@ -296,9 +200,8 @@ function lightOf(axis, roll, phi) {
 }
 
 test("the light of a unit turns with it", () => {
-  const number = fc.double({ min: -1, max: 1, noNaN: true });
   const axes = fc
-    .tuple(number, number, number)
+    .tuple(double(-1, 1), double(-1, 1), double(-1, 1))
     .filter((axis) => Math.hypot(...axis) > 0.1 && Math.hypot(axis[1], axis[2]) > 0.01);
   fc.assert(
     fc.property(axes, fc.integer({ min: 0, max: 359 }), fc.integer({ min: 0, max: 359 }), (axis, roll, degrees) => {
@@ -307,7 +210,7 @@ test("the light of a unit turns with it", () => {
       fc.pre(Math.hypot(next[1], next[2]) > 0.01);
       const light = lightOf(axis, roll, 40);
       const [x, y] = moved([light[0], light[1]], motion);
-      assert.ok(close(lightOf(next, movedRoll(axis, roll, motion), 40), [x, y, light[2]], 1e-5));
+      near(lightOf(next, movedRoll(axis, roll, motion), 40), [x, y, light[2]], 1e-5);
     }),
   );
 });
@@ -315,21 +218,9 @@ test("the light of a unit turns with it", () => {
 test("alignment and distribution", () => {
   const box = (x, y, w, h) => ({ lower: [x, y], upper: [x + w, y + h] });
   const boxes = [box(0, 0, 2, 1), box(5, 3, 1, 1), box(2.5, 7, 1, 2)];
-  assert.deepEqual(aligned(boxes, "left"), [
-    [0, 0],
-    [-5, 0],
-    [-2.5, 0],
-  ]);
-  assert.deepEqual(aligned(boxes, "top"), [
-    [0, 8],
-    [0, 5],
-    [0, 0],
-  ]);
-  assert.deepEqual(distributed(boxes, 0), [
-    [0, 0],
-    [0, 0],
-    [0.5, 0],
-  ]);
+  assert.deepEqual(aligned(boxes, "left"), points("0,0 -5,0 -2.5,0"));
+  assert.deepEqual(aligned(boxes, "top"), points("0,8 0,5 0,0"));
+  assert.deepEqual(distributed(boxes, 0), points("0,0 0,0 0.5,0"));
 });
 
 test("new ids are free", () => {

@@ -2,26 +2,15 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { EditBuilder } from "../../../../src/page/planner/document/edit";
-import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { addFaces, carrierAt, lookOf } from "../../../../src/page/planner/make/faces";
 import { addRail, ceilingAt } from "../../../../src/page/planner/make/rail";
 import { wallLines } from "../../../../src/page/planner/make/walls";
+import { part, points, rectangle, site } from "./support.mjs";
 
-const site = (json, unit = "m") => ({ json, unit: unitNamed(unit), taken: new Set() });
-const rectangle = (x, y, u, v) => [
-  [x, y],
-  [u, y],
-  [u, v],
-  [x, v],
-];
 const room = { size: [20, 15, 3.5], floor: "f", ceiling: "c", walls: "w" };
 const zones = [{ id: "bakery", polygon: rectangle(0, 10, 6, 15), height: 2.6 }];
 const rail = { id: "R1", type: "t", below: 0.05, spacing: 0.5 };
-const line = [
-  [1, 1],
-  [7, 1],
-  [7, 4],
-];
+const line = points("1,1 7,1 7,4");
 
 test("a rail hangs below the ceiling, with its corners", () => {
   const builder = new EditBuilder({ room });
@@ -29,11 +18,7 @@ test("a rail hangs below the ceiling, with its corners", () => {
   assert.deepEqual(builder.json.transceivers.rails[0], {
     type: "t",
     id: "R1",
-    points: [
-      [1, 1, 3.45],
-      [7, 1, 3.45],
-      [7, 4, 3.45],
-    ],
+    points: points("1,1,3.45 7,1,3.45 7,4,3.45"),
     spacing: 0.5,
   });
   assert.equal(addRail(new EditBuilder({}), site({}), line, rail), null, "without a room");
@@ -53,33 +38,22 @@ test("a rail stays below the lowest ceiling that it passes", () => {
 });
 
 test("the height of flat and sloped ceilings, also in feet", () => {
-  const sloped = [
-    [0, 0, 3],
-    [10, 0, 4],
-    [0, 10, 3],
-  ];
+  const sloped = points("0,0,3 10,0,4 0,10,3");
   const json = { room: { outline: rectangle(0, 0, 10, 10), height: sloped } };
   assert.ok(Math.abs(ceilingAt(site(json), [5, 7]) - 3.5) < 1e-12);
   assert.ok(Math.abs(ceilingAt(site(json, "ft"), [5 * 0.3048, 1]) - 3.5 * 0.3048) < 1e-12);
   const builder = new EditBuilder(json);
-  addRail(
-    builder,
-    site(json),
-    [
-      [2, 5],
-      [8, 5],
-    ],
-    rail,
-  ); // prettier-ignore
+  addRail(builder, site(json), points("2,5 8,5"), rail);
   assert.equal(builder.json.transceivers.rails[0].points[1][2], 3.15, "horizontal, as the lower end");
   assert.equal(ceilingAt(site({ room: { height: [1, 2] } }), [0, 0]), null);
 });
 
-const part = (kind, id, outline, height = 3) => ({ key: id, path: null, kind, id, outline, height });
-const shelf = part("fixture", "A1", rectangle(2, 2, 8, 3), 1.8);
-const pillar = part("fixture", "column", rectangle(10, 5, 10.5, 5.5));
-const wall = part("wall", "W1", rectangle(12, 2, 12.1, 8));
-const parts = [shelf, pillar, wall, part("room", "", rectangle(0, 0, 20, 15))];
+const parts = [
+  part("A1", "fixture", rectangle(2, 2, 8, 3), { height: 1.8 }),
+  part("column", "fixture", rectangle(10, 5, 10.5, 5.5), { height: 3 }),
+  part("W1", "wall", rectangle(12, 2, 12.1, 8), { height: 3 }),
+  part("", "room", rectangle(0, 0, 20, 15), { height: 3 }),
+];
 const at = (x, y) => carrierAt(parts, wallLines(site({ room })), [x, y]);
 
 test("the fixture, inner wall or wall of the room at the pointer, and its face", () => {
@@ -106,19 +80,15 @@ test("faces by the compass: less than 45 degrees from it, in either direction of
       [Math.cos(angle), Math.sin(angle)],
     ];
   };
-  assert.equal(lookOf(turned(0), true), "south");
+  const looks = Object.entries({ 0: "south", 44: "south", 46: "east", 45: null, "-44": "south", "-90": "west" });
+  for (const [degrees, look] of looks) assert.equal(lookOf(turned(degrees), true), look);
   assert.equal(lookOf(turned(0), false), "north");
-  assert.equal(lookOf(turned(44), true), "south");
-  assert.equal(lookOf(turned(46), true), "east");
-  assert.equal(lookOf(turned(45), true), null);
-  assert.equal(lookOf(turned(-44), true), "south");
-  assert.equal(lookOf(turned(-90), true), "west");
   // A quarter of a column belongs to each side.
   const round = Array.from({ length: 24 }, (_, k) => [
     5 + Math.cos((k * Math.PI) / 12 + 0.1),
     5 + Math.sin((k * Math.PI) / 12 + 0.1),
   ]);
-  const [found] = [carrierAt([part("fixture", "pipe", round)], [], [6.1, 5])];
+  const [found] = [carrierAt([part("pipe", "fixture", round)], [], [6.1, 5])];
   assert.equal(found.face, "east");
   assert.equal(found.faceEdges.length, 6);
 });

@@ -9,6 +9,7 @@ import { UnitMover } from "../../../../src/page/planner/units/mover";
 import { UnitQueue } from "../../../../src/page/planner/units/queue";
 import { deviceItem } from "../../../../src/page/planner/view/hit";
 import { Selection } from "../../../../src/page/planner/view/selection";
+import { square } from "./support.mjs";
 
 const states = { candidate: 0, installed: 1, pinned: 2, excluded: 3, selected: 4 };
 const kinds = { list: 0, grid: 1, file: 5 };
@@ -150,12 +151,7 @@ test("keep-out areas and other units refuse a place", async () => {
   const { planner, mover, log, answer } = planned([{ at: [1, 1, 3] }, { at: [5, 5, 3], state: "pinned" }], {
     transceivers: { keep_out: [{ z: [2, 4] }], list: [] },
   });
-  const outline = [
-    [2, 2],
-    [4, 2],
-    [4, 4],
-    [2, 4],
-  ];
+  const outline = square(2, 2, 2);
   planner.document.parts.all = [{ kind: "keep_out", path: "/transceivers/keep_out/0", outline }];
   assert.match(whyNotAt(planner, [3, 3, 3]), /keep-out/);
   assert.equal(whyNotAt(planner, [3, 3, 1.5]), null, "below it");
@@ -199,11 +195,8 @@ test("a drag that begins while the last drop is written goes on with what became
   log.reply = undefined;
   assert.ok(await mover.drop());
   assert.deepEqual(
-    log.done.map(({ each: [{ index, id }] }) => [index, id]),
-    [
-      [0, "A"],
-      [0, "U1"],
-    ],
+    log.done.map(({ each: [{ index, id }] }) => `${index} ${id}`),
+    ["0 A", "0 U1"],
   );
   assert.deepEqual(log.said, []);
 });
@@ -239,21 +232,14 @@ test("arrow keys move each unit by its own way, and go on after an error", async
   await answer();
   await second;
   assert.deepEqual(
-    log.done.map(({ each: [{ index, position }] }) => [index, position]),
-    [
-      [0, [1.01, 1, 3]],
-      [1, [5, 5.1, 3]],
-    ],
+    log.done.map(({ each: [{ index, position }] }) => `${index} at ${position}`),
+    ["0 at 1.01,1,3", "1 at 5,5.1,3"],
   );
 });
 
 test("what cannot be changed says why", () => {
-  const { planner, mover, log } = planned(
-    [{ at: [0, 0, 3], kind: "file" }, { at: [1, 1, 3] }, { at: [2, 2, 3], kind: "list" }],
-    {
-      transceivers: { list: { csv: "units.csv" } },
-    },
-  );
+  const units = [{ at: [0, 0, 3], kind: "file" }, { at: [1, 1, 3] }, { at: [2, 2, 3], kind: "list" }];
+  const { planner, mover, log } = planned(units, { transceivers: { list: { csv: "units.csv" } } });
   assert.match(whyFixed(planner, 0), /another file/);
   assert.match(whyFixed(planner, 1), /is a file/);
   assert.equal(whyFixed(planner, 2), null);
@@ -279,9 +265,12 @@ test("marks go to the units that lack them, in one step", async () => {
   assert.deepEqual(log.done[2], { action: "remove", each: removed, label: "Delete 2 units" }, "one step");
 });
 
-/** The server answers the first command after the second was given. */
-async function twoQuick(rows, after, list, ids, second) {
-  const made = planned(rows);
+const [one, two, three] = ["A", "B", "C"].map((id, k) => ({ id, at: [k, k, 3] }));
+const turnedTwo = { id: "U1", at: two.at, kind: "list", state: "pinned" };
+
+/** The server answers the first command, by which the unit gets another number, after the second was given. */
+async function twoQuick(after, second) {
+  const made = planned([one, two, three]);
   const { planner, log, change, select } = made;
   const replies = [];
   log.reply = () => new Promise((resolve) => replies.push(resolve));
@@ -291,8 +280,8 @@ async function twoQuick(rows, after, list, ids, second) {
   const done = second(made);
   await settle();
   assert.equal(log.done.length, 1, "the second one waits");
-  change(after, list);
-  replies[0]({ units: ids });
+  change(after, [{ id: "U1" }]);
+  replies[0]({ units: ["U1"] });
   assert.ok(await turned);
   await settle();
   const request = log.done[1];
@@ -300,47 +289,25 @@ async function twoQuick(rows, after, list, ids, second) {
   return { ...made, request, result: await done };
 }
 
-const [one, two, three] = ["A", "B", "C"].map((id, k) => ({ id, at: [k, k, 3] }));
-const turnedTwo = { id: "U1", at: two.at, kind: "list", state: "pinned" };
-
 test("the second of two quick commands means what became of the unit, under its new number", async () => {
-  const { request, planner } = await twoQuick(
-    [one, two, three],
-    [turnedTwo, one, two, three],
-    [{ id: "U1" }],
-    ["U1"],
-    (made) => turnUnits(made.planner, [1], 90),
-  );
+  const { request, planner } = await twoQuick([turnedTwo, one, two, three], (made) => turnUnits(made.planner, [1], 90));
   assert.deepEqual([request.each[0].index, request.each[0].id], [0, "U1"]);
   assert.deepEqual(planner.selection.paths, ["/transceivers/list/0"]);
 });
 
 test("the second of two quick commands, for another unit, keeps to it and to its selection", async () => {
-  const { request, planner } = await twoQuick(
-    [one, two, three],
-    [turnedTwo, one, two, three],
-    [{ id: "U1" }],
-    ["U1"],
-    (made) => {
-      made.select(2);
-      return toggleMark(made.planner, [2], "exclude");
-    },
-  );
+  const { request, planner } = await twoQuick([turnedTwo, one, two, three], (made) => {
+    made.select(2);
+    return toggleMark(made.planner, [2], "exclude");
+  });
   assert.deepEqual(request.each, [{ index: 3, id: "C", on: true }]);
-  assert.deepEqual(
-    planner.selection.items.map(({ index }) => index),
-    [3],
-    "the late answer selects nothing else",
-  );
+  const selected = planner.selection.items.map(({ index }) => index);
+  assert.deepEqual(selected, [3], "the late answer selects nothing else");
 });
 
 test("a command for a unit that another tab has removed does nothing, and says so", async () => {
-  const { log, result, request } = await twoQuick(
-    [one, two, three],
-    [turnedTwo, one, two],
-    [{ id: "U1" }],
-    ["U1"],
-    (made) => toggleMark(made.planner, [2], "pin"),
+  const { log, result, request } = await twoQuick([turnedTwo, one, two], (made) =>
+    toggleMark(made.planner, [2], "pin"),
   );
   assert.deepEqual([result, request], [false, undefined]);
   assert.match(log.said[0], /no longer there/);

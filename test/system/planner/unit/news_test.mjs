@@ -16,10 +16,8 @@ const others = (before, after, more = {}) => ({
 });
 
 test("steps of another tab: done, undone, done again", () => {
-  const [none, one] = [
-    { steps: [], position: 0 },
-    { steps: [step("Move A")], position: 1 },
-  ];
+  const none = { steps: [], position: 0 };
+  const one = { steps: [step("Move A")], position: 1 };
   const undone = { ...one, position: 0 };
   assert.equal(newsOf(others(none, one)), "Another tab: Move A");
   assert.equal(newsOf(others(one, undone)), "Another tab: Undo Move A");

@@ -5,6 +5,7 @@ import fc from "fast-check";
 
 import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { giveIds, inReadingOrder, namesIn, namingOf } from "../../../../src/page/planner/elements/numbering";
+import { points } from "./support.mjs";
 
 const at = (x, y, value, path = `/fixtures/${value.id}`) => ({ path, value, middle: [x, y] });
 
@@ -21,20 +22,12 @@ test("rows have as many numbers as copies, and none is taken twice", () => {
   const naming = namingOf([at(1, 1, { id: "x" }), at(1, 5, row)], "A{n}", new Set(["A2", "A7"]));
   assert.deepEqual(
     naming.map(({ first, count }) => [first, count]),
-    [
-      [3, 3],
-      [6, 1],
-    ],
+    points("3,3 6,1"),
   );
   assert.equal(namesIn(naming, "A{n}"), "A3–A5, A6");
   fc.assert(
     fc.property(
-      fc.array(
-        fc.tuple(fc.integer({ min: 0, max: 9 }), fc.integer({ min: 0, max: 9 }), fc.integer({ min: 1, max: 4 })),
-        {
-          maxLength: 12,
-        },
-      ),
+      fc.array(fc.tuple(fc.nat(9), fc.nat(9), fc.integer({ min: 1, max: 4 })), { maxLength: 12 }),
       fc.array(fc.integer({ min: 1, max: 20 })),
       (places, taken) => {
         const others = new Set(taken.map((number) => `A${number}`));

@@ -3,43 +3,15 @@ import { test } from "node:test";
 
 import { linesOf } from "../../../../src/page/planner/pdf/paths";
 import { LineIndex } from "../../../../src/page/planner/sheet/line_index";
+import { points } from "./support.mjs";
 
-const ops = Object.fromEntries(
-  [
-    "save",
-    "restore",
-    "transform",
-    "setGState",
-    "setFillRGBColor",
-    "setStrokeRGBColor",
-    "setFillColorN",
-    "setStrokeColorN",
-    "setFillTransparent",
-    "setStrokeTransparent",
-    "shadingFill",
-    "paintImageXObject",
-    "paintInlineImageXObject",
-    "constructPath",
-    "endPath",
-    "stroke",
-    "closeStroke",
-    "fill",
-    "eoFill",
-    "fillStroke",
-    "eoFillStroke",
-    "closeFillStroke",
-    "closeEOFillStroke",
-    "clip",
-    "eoClip",
-    "paintFormXObjectBegin",
-    "paintFormXObjectEnd",
-    "beginGroup",
-    "endGroup",
-    "beginMarkedContent",
-    "beginMarkedContentProps",
-    "endMarkedContent",
-  ].map((name, k) => [name, k + 1]),
-);
+const names =
+  "save restore transform setGState setFillRGBColor setStrokeRGBColor setFillColorN setStrokeColorN " +
+  "setFillTransparent setStrokeTransparent shadingFill paintImageXObject paintInlineImageXObject constructPath endPath " +
+  "stroke closeStroke fill eoFill fillStroke eoFillStroke closeFillStroke closeEOFillStroke clip eoClip " +
+  "paintFormXObjectBegin paintFormXObjectEnd beginGroup endGroup beginMarkedContent beginMarkedContentProps " +
+  "endMarkedContent";
+const ops = Object.fromEntries(names.split(" ").map((name, k) => [name, k + 1]));
 const identity = [1, 0, 0, 1, 0, 0];
 const [move, line, curve, quadratic, close] = [0, 1, 2, 3, 4];
 
@@ -115,21 +87,8 @@ test("fills close their outlines, and strokes before them stay open", () => {
 });
 
 /** A rectangle from a corner, with its sizes. */
-const box = (x, y, width, height) => [
-  move,
-  x,
-  y,
-  line,
-  x + width,
-  y,
-  line,
-  x + width,
-  y + height,
-  line,
-  x,
-  y + height,
-  close,
-];
+const box = (x, y, width, height) =>
+  [move, x, y, line, x + width, y, line, x + width, y + height].concat([line, x, y + height, close]);
 const clip = (numbers, rule = "clip") => [[rule], path(numbers, "endPath")];
 const fillColour = (colour) => ["setFillRGBColor", colour];
 const strokeColour = (colour) => ["setStrokeRGBColor", colour];
@@ -159,9 +118,8 @@ test("lines end at clip paths, also nested ones and those of forms", () => {
     linesIn(viewport).some((ends) => ends.join() === "400,650,400,690"),
     "after the clip",
   );
-  assert.deepEqual(partsOf(read([...clip(box(100, 0, 500, 700)), ...clip(box(300, 0, 600, 700)), across])), [
-    [300, 600],
-  ]);
+  const both = [...clip(box(100, 0, 500, 700)), ...clip(box(300, 0, 600, 700))];
+  assert.deepEqual(partsOf(read([...both, across])), [[300, 600]]);
   assert.deepEqual(counts(read([...clip(box(0, 0, 9, 9)), ...clip(box(20, 0, 9, 9)), path(square)])), [0, 0]);
   const form = (...within) => [["paintFormXObjectBegin", [1, 0, 0, 1, 100, 0], [0, 0, 300, 700]], ...within];
   const forms = [
@@ -169,15 +127,9 @@ test("lines end at clip paths, also nested ones and those of forms", () => {
     ["paintFormXObjectEnd"],
     across,
   ];
-  assert.deepEqual(partsOf(read(forms)), [
-    [150, 400],
-    [0, 1000],
-  ]);
+  assert.deepEqual(partsOf(read(forms)), points("150,400 0,1000"));
   const group = [["beginGroup", { bbox: [200, 0, 300, 700] }], across, ["endGroup", {}], across];
-  assert.deepEqual(partsOf(read(group)), [
-    [200, 300],
-    [0, 1000],
-  ]);
+  assert.deepEqual(partsOf(read(group)), points("200,300 0,1000"));
   assert.deepEqual(partsOf(read([path([move, -500, 350, line, 400, 350])])), [[0, 400]], "the page");
 });
 
@@ -186,10 +138,7 @@ test("clip paths are polygons and curves, by both rules", () => {
   const frame = [...box(100, 100, 800, 500), ...box(300, 200, 400, 300)];
   assert.deepEqual(partsOf(read([...clip(diamond), across])), [[200, 800]]);
   assert.deepEqual(partsOf(read([...clip(frame), across])), [[100, 900]]);
-  assert.deepEqual(partsOf(read([...clip(frame, "eoClip"), across])), [
-    [100, 300],
-    [700, 900],
-  ]);
+  assert.deepEqual(partsOf(read([...clip(frame, "eoClip"), across])), points("100,300 700,900"));
   const k = 0.5522847498 * 300;
   const half = [move, 200, 350, curve, 200, 350 - k, 500 - k, 50, 500, 50, curve, 500 + k, 50, 800, 350 - k, 800, 350];
   assert.deepEqual(
@@ -207,10 +156,7 @@ test("later opaque fills cover lines, and white ones are seen on colours only", 
   const cover = (...before) => [room, across, ...before, path(box(190, 190, 120, 320), "fill")];
   const white = fillColour("#ffffff");
   assert.deepEqual(counts(read(cover(white))), [2, 0]);
-  assert.deepEqual(partsOf(read(cover(white))), [
-    [0, 190],
-    [310, 1000],
-  ]);
+  assert.deepEqual(partsOf(read(cover(white))), points("0,190 310,1000"));
   assert.deepEqual(counts(read(cover(fillColour("#808080")))), [2 + 4, 1], "its own edges are seen");
   const seen = {
     "a pattern": ["setFillColorN", "pattern"],
@@ -224,10 +170,7 @@ test("later opaque fills cover lines, and white ones are seen on colours only", 
   assert.equal(partsOf(read(cover(["beginGroup", {}], white))).length, 2);
   assert.equal(partsOf(read([path(box(190, 190, 120, 320), "fill"), across])).length, 1, "an earlier fill");
   const clippedFill = [across, ["save"], ...clip(box(400, 0, 100, 700)), white, path(box(0, 0, 1000, 700), "fill")];
-  assert.deepEqual(partsOf(read(clippedFill)), [
-    [0, 400],
-    [500, 1000],
-  ]);
+  assert.deepEqual(partsOf(read(clippedFill)), points("0,400 500,1000"));
   const frame = [...box(100, 100, 800, 500), ...box(300, 200, 400, 300)];
   assert.equal(partsOf(read([across, white, path(frame, "eoFill")])).length, 3);
   assert.equal(partsOf(read([across, white, path(frame, "fill")])).length, 2);
@@ -236,11 +179,8 @@ test("later opaque fills cover lines, and white ones are seen on colours only", 
     path(box(190, 190, 120, 320), "fill"),
     ["endMarkedContent"],
   ];
-  assert.equal(
-    partsOf(read([across, ...hiddenFill], { isVisible: () => false })).length,
-    1,
-    "a fill of a hidden layer",
-  );
+  const hidden = read([across, ...hiddenFill], { isVisible: () => false });
+  assert.equal(partsOf(hidden).length, 1, "a fill of a hidden layer");
 });
 
 test("white lines and fills are seen where something darker is beneath", () => {
@@ -255,16 +195,10 @@ test("white lines and fills are seen where something darker is beneath", () => {
     ["transform", 800, 0, 0, 500, 100, 100],
     ["paintImageXObject", "img"],
   ];
-  assert.equal(
-    read([["save"], ...image, ["restore"], ...white, path(box(200, 200, 90, 90))]).ends.length,
-    16,
-    "on an image",
-  );
-  assert.deepEqual(
-    counts(read([["beginGroup", { smask: {} }], path(square), ["endGroup", { smask: {} }]])),
-    [0, 0],
-    "a mask",
-  );
+  const onImage = read([["save"], ...image, ["restore"], ...white, path(box(200, 200, 90, 90))]);
+  assert.deepEqual(counts(onImage), [4, 1]);
+  const mask = read([["beginGroup", { smask: {} }], path(square), ["endGroup", { smask: {} }]]);
+  assert.deepEqual(counts(mask), [0, 0]);
 });
 
 test("an outline stays one beneath small fills", () => {
@@ -276,12 +210,7 @@ test("lines are found by place, and outlines by what they contain", () => {
   const inner = [move, 0.5, 0.5, line, 1, 0.5, line, 1, 1, line, 0.5, 0.5];
   const index = new LineIndex(read([path(square), path(inner)]));
   assert.equal(index.count, 7);
-  assert.deepEqual(index.near([1, 0.1], 0.2, 9), [
-    [
-      [0, 0],
-      [2, 0],
-    ],
-  ]);
+  assert.deepEqual(index.near([1, 0.1], 0.2, 9), [points("0,0 2,0")]);
   assert.equal(index.near([1, 0.75], 0.01, 9).length, 1);
   assert.equal(index.within({ lower: [1.5, 1.5], upper: [3, 3] }, 9).length, 2);
   assert.equal(index.outlineAt([0.9, 0.6]).length, 3);

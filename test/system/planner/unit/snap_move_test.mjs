@@ -7,7 +7,8 @@ import { moved, movedPart, movedVector, outlineOf, turnAbout } from "../../../..
 import { snapMove } from "../../../../src/page/planner/snap/box";
 import { segmentsOf } from "../../../../src/page/planner/snap/segments";
 import { Snapper } from "../../../../src/page/planner/snap/snap";
-import { distance, near, part, reach, rejects, shop, square } from "./snap_shop.mjs";
+import { reach, shop } from "./snap_shop.mjs";
+import { distance, double, near, part, points, rejects, square, times } from "./support.mjs";
 
 const shopSnapper = new Snapper(segmentsOf(shop));
 
@@ -51,10 +52,7 @@ test("a moved outline follows a turned room", () => {
   const motion = turnAbout(turn, [4, -2]);
   const snapper = new Snapper(segmentsOf(shop.map((one) => movedPart(one, motion))));
   const box = square(20, 20, 1.3, 0.6);
-  const shifts = fc.tuple(
-    fc.double({ min: -21, max: -8, noNaN: true }),
-    fc.double({ min: -21, max: -10, noNaN: true }),
-  );
+  const shifts = fc.tuple(double(-21, -8), double(-21, -10));
   const isRight = (frame) =>
     fc.assert(
       fc.property(shifts, (shift) => {
@@ -68,30 +66,27 @@ test("a moved outline follows a turned room", () => {
         near(after.shift, movedVector(before.shift, motion), 1e-6);
         assert.ok(distance(before.shift, shift) <= Math.SQRT2 * reach);
       }),
-      { numRuns: 500 },
+      { numRuns: times(100, 500) },
     );
   isRight(turn);
   rejects(() => isRight(0));
 });
 
 test("the work does not grow with the shop", () => {
-  const corner = fc.double({ min: 0, max: 80, noNaN: true });
+  const corner = double(0, 80);
   const footing = fc.record({
     at: fc.tuple(corner, corner),
     rotation: fc.constantFrom(0, 90, 180, 270, 30),
-    length: fc.double({ min: 0.5, max: 8, noNaN: true }),
-    depth: fc.double({ min: 0.4, max: 1.2, noNaN: true }),
+    length: double(0.5, 8),
+    depth: double(0.4, 1.2),
   });
   const fixtures = (count) =>
     fc.sample(footing, { numRuns: count, seed: 7 }).map((one, k) => part(`${k}`, "fixture", outlineOf(one)));
-  const drawn = [
-    [1, 1],
-    [5, 1.2],
-  ];
+  const drawn = points("1,1 5,1.2");
   const most = (parts) => {
     const snapper = new Snapper(segmentsOf(parts));
     let found = 0;
-    for (const [k, pointer] of fc.sample(fc.tuple(corner, corner), { numRuns: 100, seed: 8 }).entries())
+    for (const [k, pointer] of fc.sample(fc.tuple(corner, corner), { numRuns: times(5, 100), seed: 8 }).entries())
       for (const size of [0.002, 0.1, 0.3, 20]) {
         snapper.snap({ pointer, reach: size, drawn, isOrtho: k % 3 === 0, isBox: k % 3 === 1 });
         found = Math.max(found, snapper.index.examined);

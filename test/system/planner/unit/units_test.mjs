@@ -9,9 +9,9 @@ import { addPoint, begin } from "../../../../src/page/planner/draw/stroke";
 import { axisOf, headed, headingOf, lowered, tilted, tiltOf, turned } from "../../../../src/page/planner/units/aim";
 import { mountAt, mountWords } from "../../../../src/page/planner/units/mount";
 import { alongFace, meets } from "../../../../src/page/planner/units/surface";
+import { double, isNear, part, square } from "./support.mjs";
 
-const close = (a, b, slack = 1e-5) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) < slack);
-const angle = (least, most) => fc.double({ min: least, max: most, noNaN: true });
+const close = (a, b) => isNear(a, b, 2e-5);
 
 test("tilt and direction of an axis, by the compass", () => {
   assert.equal(tiltOf([0, 0, -1]), 0);
@@ -22,7 +22,7 @@ test("tilt and direction of an axis, by the compass", () => {
   assert.deepEqual(headingOf([-1, 0, -1]), 270, "west");
   assert.deepEqual(axisOf(0, 123), [0, 0, -1]);
   fc.assert(
-    fc.property(angle(1, 179), angle(0, 359), (tilt, heading) => {
+    fc.property(double(1, 179), double(0, 359), (tilt, heading) => {
       const axis = axisOf(tilt, heading);
       assert.ok(Math.abs(Math.hypot(...axis) - 1) < 1e-5);
       assert.ok(Math.abs(tiltOf(axis) - tilt) < 2e-3);
@@ -107,19 +107,7 @@ test("a tool of single points ends with each of them", () => {
   assert.equal(addPoint(begin("rail"), [1, 2]).stroke.points.length, 1);
 });
 
-const column = {
-  key: "c",
-  path: "/fixtures/0",
-  kind: "fixture",
-  id: "column",
-  height: 3,
-  outline: [
-    [4, 4],
-    [5, 4],
-    [5, 5],
-    [4, 5],
-  ],
-};
+const column = { ...part("column", "fixture", square(4, 4, 1)), path: "/fixtures/0", height: 3 };
 const ray = (from, to) => ({ from, way: to.map((value, axis) => value - from[axis]) });
 const mounted = (on, position, axis) => ({ on, position, axis, roll_deg: 0 });
 

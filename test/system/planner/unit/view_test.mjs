@@ -10,28 +10,21 @@ import { pointsOf } from "../../../../src/page/planner/view/fan";
 import { itemAt } from "../../../../src/page/planner/view/hit";
 import { Selection } from "../../../../src/page/planner/view/selection";
 import { Viewport } from "../../../../src/page/planner/view/viewport";
+import { double, near, part, square } from "./support.mjs";
 
 const changes = { note: () => {} };
-const square = (x, y, size) => [
-  [x, y],
-  [x + size, y],
-  [x + size, y + size],
-  [x, y + size],
-];
-const part = (key, kind, outline) => ({ key, path: `/${key}`, kind, id: key, outline });
 
 test("zooming keeps the place under the pointer, and stays within limits", () => {
-  const number = fc.double({ min: 0, max: 700, noNaN: true });
   fc.assert(
-    fc.property(number, number, fc.double({ min: 0.01, max: 100, noNaN: true }), (x, y, factor) => {
+    fc.property(double(0, 700), double(0, 700), double(0.01, 100), (x, y, factor) => {
       const viewport = new Viewport(changes);
       viewport.resize(700, 500);
       const before = viewport.toWorld([x, y]);
       viewport.zoom(factor, [x, y]);
       const after = viewport.toWorld([x, y]);
-      assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-9);
+      near(after, before, 1e-9);
       assert.ok(viewport.scale >= 0.5 && viewport.scale <= 6000);
-      assert.ok(viewport.toScreen(after).every((value, k) => Math.abs(value - [x, y][k]) < 1e-6));
+      near(viewport.toScreen(after), [x, y]);
     }),
   );
 });
@@ -79,7 +72,7 @@ test("the smallest outline at a point is found, and lines only at their lines", 
 
 test("the scale bar has a round length that fits", () => {
   fc.assert(
-    fc.property(fc.double({ min: 0.5, max: 6000, noNaN: true }), fc.constantFrom(1, 0.3048), (scale, unit) => {
+    fc.property(double(0.5, 6000), fc.constantFrom(1, 0.3048), (scale, unit) => {
       const length = roundLength(scale, unit);
       const pixels = length * unit * scale;
       assert.ok(pixels <= 130.0001 && pixels > 130 / 2.51, `${pixels}`);

@@ -1,0 +1,12 @@
+// Waits for what happens elsewhere.
+
+const patience = 30_000; // ms, on a loaded machine
+
+/** Looks until what it finds is right, and returns that. `why` says what did not happen. */
+export async function poll(look, isRight, why, limit = patience) {
+  for (const end = Date.now() + limit; ; await new Promise((done) => setTimeout(done, 20))) {
+    const found = await look();
+    if (isRight(found)) return found;
+    if (Date.now() > end) throw new Error(`did not happen: ${await why(found)}`);
+  }
+}
