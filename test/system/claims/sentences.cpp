@@ -1,13 +1,10 @@
-#include "system/claims/sentences.hpp"
+#include <iterator>
+#include <regex>
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
-
-#include <fmt/format.h>
-
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/text/words.hpp"
+
+#include "system/claims/claims.hpp"
 
 namespace shelfbeam::test {
 
@@ -15,9 +12,77 @@ namespace {
 
 constexpr std::string_view joint = " \n,.;:()";  // between the texts of the table
 
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + separator.size();
+  }
+  return parts;
+}
+
+// Adds the lines that a line with choices stands for.
+void add_choices(const std::string& line, const std::string& first, std::vector<std::string>& lines) {
+  const std::size_t open = line.find('['), close = line.find(']', open);
+  if (open == std::string::npos) {
+    lines.push_back(std::regex_replace(line, std::regex("[$]1"), first));
+    return;
+  }
+  std::vector<std::string> choices = split(line.substr(open + 1, close - open - 1), "|");
+  if (choices.size() == 1) choices.emplace_back();
+  for (const std::string& choice : choices)
+    add_choices(line.substr(0, open) + choice + line.substr(close + 1), first.empty() ? choice : first,
+                lines);
+}
+
+// "name", "name < other" or "name = other".
+bool holds(const std::string& claim, const Truth& truth) {
+  const auto value = [&](const std::string& name) { return name == "1" ? 1 : truth(name); };
+  if (const auto sides = split(claim, " < "); sides.size() == 2)
+    return value(sides[0]) < value(sides[1]) * (1 - 1e-9);
+  if (const auto sides = split(claim, " = "); sides.size() == 2) return value(sides[0]) == value(sides[1]);
+  return value(claim) != 0;
+}
+
+std::function<bool(const Truth&)> condition(const std::string& text) {
+  std::vector<std::vector<std::string>> ways;
+  for (const std::string& way : split(text, " or ")) ways.push_back(split(way, " & "));
+  return [ways](const Truth& truth) {
+    return std::ranges::any_of(ways, [&](const std::vector<std::string>& claims) {
+      return std::ranges::all_of(claims, [&](const std::string& claim) {
+        return claim.starts_with('!') ? !holds(claim.substr(1), truth) : holds(claim, truth);
+      });
+    });
+  };
+}
+
+Claim claim_of(const std::string& line) {
+  static const std::map<std::string, Subject, std::less<>> subjects{
+      {"signals", Subject::signals},
+      {"certificate", Subject::certificate},
+      {"reflectances", Subject::reflectances},
+      {"nothing", Subject::nothing},
+      {"with_addition", Subject::with_addition},
+      {"without_addition", Subject::without_addition}};
+  const std::vector<std::string> columns = split(line, "  ");
+  Claim claim{std::regex_replace(columns.front(), std::regex(R"(\\n)"), "\n"), {}};
+  for (std::size_t k = 1; k < columns.size(); ++k) {
+    const std::string& column = columns[k];
+    if (column.empty() || column.front() == ' ') throw std::logic_error("three blanks in: " + line);
+    if (column.starts_with("if "))
+      claim.is_true = condition(column.substr(3));
+    else if (column.starts_with("of "))
+      claim.subject = subjects.at(column.substr(3));
+    else
+      claim.places.push_back(column);
+  }
+  return claim;
+}
+
 // The texts of a key: one, or one per number.
 std::vector<std::string> texts_of(const std::string& key) {
-  if (key.find(' ') != std::string::npos) return {key};
+  if (key.find_first_of(" (") != std::string::npos) return {key};
   try {
     return {std::string(english()(key))};
   } catch (const std::logic_error&) {
@@ -71,6 +136,21 @@ std::string name_in(const std::string& place) {
 }
 
 }  // namespace
+
+const std::vector<Claim>& claims() {
+  static const std::vector<Claim> all = [] {
+    std::vector<Claim> list;
+    for (const std::string& line :
+         split(read_file(SHELFBEAM_SOURCE_DIR "/test/system/claims/claims.txt"), "\n")) {
+      if (line.empty() || line.starts_with('#')) continue;
+      std::vector<std::string> lines;
+      add_choices(line, "", lines);
+      std::ranges::transform(lines, std::back_inserter(list), claim_of);
+    }
+    return list;
+  }();
+  return all;
+}
 
 std::string with_plain_blanks(std::string text) {
   for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;) text.replace(at, 2, " ");
@@ -145,7 +225,7 @@ void ClaimReader::match(const Part& part, std::string_view text, std::size_t at,
 
 bool ClaimReader::is_right(const Found& found, const Truth& truth, Subject subject) try {
   const Claim& claim = *found.part->claim;
-  if (!claim.subject.empty()) subject = claim.subject.front();
+  subject = claim.subject.value_or(subject);
   for (std::size_t k = 0; k < found.part->places.size(); ++k) {
     const std::string& place = found.part->places[k];
     if (place != "?" && !says(place, number_of(found.values[k]), truth(name_in(place), subject)))
@@ -189,7 +269,7 @@ std::vector<std::string> ClaimReader::faults(std::string text, const Truth& trut
     for (std::size_t k = 0; numbers != nullptr && k < longest.at.size(); ++k)
       if (longest.part->places[k] != "?") numbers->push_back(at + longest.at[k]);
     if (!is_true) faults.push_back(std::string(rest.substr(0, longest.length)));
-    if (!longest.part->claim->subject.empty()) subject = longest.part->claim->subject.front();
+    subject = longest.part->claim->subject.value_or(subject);
     at += longest.length;
   }
   return faults;

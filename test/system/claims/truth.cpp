@@ -1,13 +1,4 @@
-#include "system/claims/truth.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
-
-#include <fmt/format.h>
+#include "system/claims/claims.hpp"
 
 namespace shelfbeam::test {
 
@@ -48,6 +39,7 @@ Truth::Truth(const PlannedStore& store) {
   if (store.plan.sensitivity) add_sensitivity(*store.plan.sensitivity);
   if (store.plan.availability) add_availability(store);
   add_values(store.plan);
+  values_["certified yes"] = values_[store.plan.availability ? "certified states" : "all reached"];
 }
 
 void Truth::add_values(const CertifiedPlan& plan) {
@@ -227,7 +219,7 @@ void Truth::add_alternatives(const Alternatives& alternatives) {
     values_[name + " weakest"] = one->smallest_margin;
     values_[name + " proven"] = one->is_proven;
   };
-  add("One unit fewer", alternatives.one_fewer);
+  for (const char* fewer : {"One unit fewer", "Fewer units"}) add(fewer, alternatives.one_fewer);
   add("One unit more", alternatives.one_more);
   add("Survives any one failure", alternatives.survives_failure);
   for (const auto& [name, same] : {std::pair("units", "units"),
@@ -267,9 +259,9 @@ void Truth::add_availability(const PlannedStore& store) {
   values_["state bound holds"] = found.certified && found.lower_bound >= values_["value"] * (1 - rounding);
   values_["certified states"] = found.certified;
   values_["impossible"] = !found.unreachable.empty() || std::isinf(found.sample_lower_bound);
-  values_["more for certainty"] = found.examined.empty() ? 0
-                                                         : static_cast<double>(found.examined.back().units) -
-                                                               static_cast<double>(found.sample.units);
+  values_["more to certify"] = found.examined.empty() ? 0
+                                                      : static_cast<double>(found.examined.back().units) -
+                                                            static_cast<double>(found.sample.units);
   values_["confidence"] = 100 * found.confidence;
   if (found.required.empty()) return;
   values_["required"] = 100 * *std::min_element(found.required.begin(), found.required.end());

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "support/testing.hpp"
 
 // A store with a signal matrix computed from distance, angle and line of sight: realistic, and known without
 // a simulation.
@@ -47,27 +42,40 @@ inline Store empty_store(const std::string& name, const Vec3& size) {
   return store;
 }
 
+inline void add(Store& store, Fixture fixture) {
+  store.fixtures.push_back({std::move(fixture), "fixtures"});
+}
+inline void add_label(Store& store, const std::string& id, const Vec3& position,
+                      const Vec3& normal = {0, -1, 0}) {
+  store.labels.push_back({Label{id, position, normal, LabelTypeId{0}}, "labels"});
+}
+inline void add_unit(Store& store, const std::string& id, const Vec3& position, const Vec3& axis = {0, 0, -1},
+                     double roll_deg = 0) {
+  store.transceivers.push_back({Transceiver{id, position, axis, roll_deg, {}, false}, "transceivers.list"});
+}
+
 /// A label and a unit, which every scene has.
 inline void add_devices(Store& store, const Vec3& label, const Vec3& unit) {
-  store.labels.push_back({Label{"L", label, {0, -1, 0}, LabelTypeId{0}}, "labels[0]"});
-  Transceiver one;
-  one.id = "T";
-  one.position = unit;
-  one.type = TransceiverTypeId{0};
-  store.transceivers.push_back({one, "transceivers.list[0]"});
+  add_label(store, "L", label);
+  add_unit(store, "T", unit);
+}
+
+/// A wall or block of triangles.
+inline MeshFixture mesh(const std::string& id, std::vector<Vec3> vertices,
+                        std::vector<std::array<std::uint32_t, 3>> triangles) {
+  return {id, {}, 0, 1, {{"m", {}, std::move(vertices), std::move(triangles)}}};
 }
 
 /// About 25 x 18 m, 800 labels, 300 candidates.
 inline Store supermarket() {
   Store store = empty_store("Corner grocery", {25, 18, 4});
   const std::vector<double> shelves{0.4, 0.85, 1.3, 1.7};
-  const auto add = [&](Fixture fixture) { store.fixtures.push_back({std::move(fixture), "fixtures"}); };
   for (int aisle = 0; aisle < 4; ++aisle)
     for (int run = 0; run < 2; ++run)
-      add(gondola("A" + std::to_string(2 * aisle + run + 1), {4.0 + 8.2 * run, 3.2 + 2.6 * aisle}, 6.8, 0.9,
-                  shelves, 0, {Face::front, Face::back}));
-  add(gondola("W1", {1.0, 17.5}, 16, 0.45, shelves, 0, {Face::front}));
-  add(gondola("W2", {24.5, 3.0}, 11, 0.45, {0.3, 0.7, 1.1, 1.5, 1.9}, 90, {Face::back}));
+      add(store, gondola("A" + std::to_string(2 * aisle + run + 1), {4.0 + 8.2 * run, 3.2 + 2.6 * aisle}, 6.8,
+                         0.9, shelves, 0, {Face::front, Face::back}));
+  add(store, gondola("W1", {1.0, 17.5}, 16, 0.45, shelves, 0, {Face::front}));
+  add(store, gondola("W2", {24.5, 3.0}, 11, 0.45, {0.3, 0.7, 1.1, 1.5, 1.9}, 90, {Face::back}));
   Freezer freezer;
   freezer.id = "F1";
   freezer.at = {4, 13.8};
@@ -78,24 +86,21 @@ inline Store supermarket() {
   labels.type = LabelTypeId{1};
   labels.spacing = 0.7;
   labels.faces = {Face::front, Face::back};
-  add(freezer);
+  add(store, freezer);
   for (int column = 0; column < 3; ++column)
-    add(Box{"P" + std::to_string(column + 1), {6.0 + 6 * column, 1.3, 0}, {6.35 + 6 * column, 1.65, 4}, {}});
-  store.grids = {{{{1, 1}, {24, 17}, 1.2, 3.9, {0, 0, -1}, 0, {}}, "store.json: transceivers.grids[0]"}};
+    add(store,
+        Box{"P" + std::to_string(column + 1), {6.0 + 6 * column, 1.3, 0}, {6.35 + 6 * column, 1.65, 4}, {}});
+  store.grids = {{{{1, 1}, {24, 17}, 2, 3.9, {0, 0, -1}, 0, {}}, "store.json: transceivers.grids[0]"}};
   return store;
 }
 
 /// One gondola and two units: few enough to check by hand; ids that need escaping.
 inline Store kiosk() {
   Store store = empty_store("Joe's <Kiosk> & \"Bar\"", {6, 5, 3});
-  store.fixtures.push_back(
-      {gondola("A<1>", {1.5, 2}, 3, 0.8, {0.5, 1.2}, 0, {Face::front, Face::back}), "fixtures"});
-  const auto add = [&](const std::string& id, const Vec3& position, double roll_deg) {
-    store.transceivers.push_back({Transceiver{id, position, {0, 0, -1}, roll_deg, {}, false}, "list"});
-  };
-  add("T&1", {1.5, 1, 2.9}, 30);
-  add("T,2", {4.5, 4, 2.9}, 0);
-  add("T\"3\"", {3, 1, 2.9}, 0);
+  add(store, gondola("A<1>", {1.5, 2}, 3, 0.8, {0.5, 1.2}, 0, {Face::front, Face::back}));
+  add_unit(store, "T&1", {1.5, 1, 2.9}, {0, 0, -1}, 30);
+  add_unit(store, "T,2", {4.5, 4, 2.9});
+  add_unit(store, "T\"3\"", {3, 1, 2.9});
   store.installed.push_back({"T,2", "installed"});
   return store;
 }

@@ -1,18 +1,16 @@
+// Tests distributions of signals, scales and colours of charts, and the levels of shelves.
+
 #include "shelfbeam/report/data/distributions.hpp"
 
-#include <algorithm>
 #include <numeric>
 
-#include <gtest/gtest.h>
-
+#include "shelfbeam/report/chart/palette.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 
-#include "unit/report/random_matrix.hpp"
+#include "unit/report/shops.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::random_matrix;
 
 std::uint64_t total(const Bins& bins) {
   return std::accumulate(bins.counts.begin(), bins.counts.end(), bins.below + bins.above);
@@ -134,5 +132,102 @@ TEST(Scale, RoundsToReadableSteps) {
   EXPECT_EQ(one_two_five(1, 1), (std::vector<double>{1, 2}));
 }
 
+// Whether every label occurs once, each level is within the band, levels are separate, and no level could
+// include the first label of the next.
+bool are_levels(const std::vector<ShelfLevel>& levels, const std::vector<double>& heights) {
+  std::set<LabelId> seen;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const ShelfLevel& level = levels[k];
+    if (level.labels.empty() || level.high - level.low > level_band + 1e-9) return false;
+    if (k > 0 && level.low <= levels[k - 1].low + level_band + 1e-9) return false;
+    double low = 1e9, high = -1e9;
+    for (const std::uint32_t label : level.labels) {
+      if (!seen.insert(label).second) return false;
+      low = std::min(low, heights[label]);
+      high = std::max(high, heights[label]);
+    }
+    if (low != level.low || high != level.high) return false;
+  }
+  return seen.size() == heights.size();
+}
+
+TEST(Levels, JoinsNeighbouringHeights) {
+  const std::vector<double> heights{1.6, 0.4, 0.85, 1.0, 0.4, 1.1, 0.65};
+  const auto levels = shelf_levels(heights);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0].labels, (std::vector<LabelId>{1, 4, 6}));  // 0.40 to 0.65: exactly the band
+  EXPECT_EQ(levels[1].labels, (std::vector<LabelId>{2, 3, 5}));
+  EXPECT_EQ(levels[2].labels, (std::vector<LabelId>{0}));
+  EXPECT_EQ(levels[1].heights(english()), "labels at 0.85 to 1.10\u00A0m");
+  EXPECT_EQ(levels[2].heights(english()), "labels at 1.60\u00A0m");
+  EXPECT_TRUE(shelf_levels({}).empty());
+}
+
+TEST(Levels, AreValidForRandomHeightsAndTheCheckRejectsOthers) {
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    std::vector<double> heights;
+    for (std::uint32_t k = 0; k < 40; ++k)
+      heights.push_back(2.5 * to_uniform(philox({trial, k, 0, 0}, 1)[0]));
+    auto levels = shelf_levels(heights);
+    ASSERT_TRUE(are_levels(levels, heights)) << trial;
+    ASSERT_GT(levels.size(), 1U);
+    // Negative control: a label put one level too high.
+    levels[1].labels.push_back(levels[0].labels.back());
+    levels[0].labels.pop_back();
+    EXPECT_FALSE(are_levels(levels, heights)) << trial;
+  }
+}
+
+// Relative luminance of "#rrggbb" (IEC 61966-2-1).
+double luminance(const std::string& colour) {
+  const auto linear = [&](std::size_t at) {
+    const double c = std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(1) + 0.7152 * linear(3) + 0.0722 * linear(5);
+}
+
+bool grows_in_grey(const std::function<std::string(double)>& colours) {
+  for (int k = 1; k <= 20; ++k)
+    if (luminance(colours(k / 20.0)) <= luminance(colours((k - 1) / 20.0))) return false;
+  return true;
+}
+
+TEST(Palette, SignalColoursKeepTheirOrderInGrey) {
+  EXPECT_TRUE(grows_in_grey(viridis));
+  EXPECT_EQ(viridis(0), "#440154");
+  EXPECT_EQ(viridis(1), "#fde725");
+  // Negative control: a scale from blue to red by way of green does not.
+  EXPECT_FALSE(grows_in_grey([](double t) { return t < 0.4 ? "#0000ff" : t < 0.7 ? "#00ff00" : "#ff0000"; }));
+}
+
+TEST(Palette, MarginClassesAgreeWithTheRequirement) {
+  EXPECT_EQ(margin_class(-20, false), 0U);
+  EXPECT_EQ(margin_class(-2, false), 1U);
+  EXPECT_EQ(margin_class(0, true), 2U);
+  EXPECT_EQ(margin_class(-1e-9, true), 2U);   // met within the tolerance
+  EXPECT_EQ(margin_class(1e-12, false), 1U);  // never displayed as met
+  EXPECT_EQ(margin_class(1, true), 3U);
+  EXPECT_EQ(margin_class(9.99, true), 5U);
+  EXPECT_EQ(margin_class(30, true), 6U);
+  EXPECT_EQ(margin_class(-INFINITY, false), 0U);
+}
+
+TEST(Palette, SignalScaleCoversTheLargestValues) {
+  const SignalScale scale({0, 0.012, 0.012, 0.3}, 12);
+  EXPECT_EQ(scale.edges.front(), 0.01);
+  EXPECT_EQ(scale.edges.back(), 0.5);
+  EXPECT_EQ(scale.class_of(0.012), 0U);
+  EXPECT_EQ(scale.class_of(0.3), scale.classes() - 1);
+  const SignalScale wide({1e-9, 1e-9, 1}, 6);
+  EXPECT_EQ(wide.classes(), 6U);
+  EXPECT_EQ(wide.class_of(1e-9), 0U);
+  EXPECT_EQ(wide.class_of(1), 5U);
+  std::vector<double> mostly_strong(99, 1.5);
+  mostly_strong.push_back(1e-6);
+  EXPECT_EQ(SignalScale(mostly_strong, 12).edges, (std::vector<double>{1, 2}));
+  EXPECT_EQ(SignalScale({0, 0}, 6).classes(), 1U);
+}
+
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

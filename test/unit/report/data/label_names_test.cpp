@@ -1,23 +1,15 @@
 #include "shelfbeam/report/data/label_names.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/report/difference/difference_report.hpp"
 
 #include "support/processor_time.hpp"
-#include "unit/report/supermarket_report.hpp"
+#include "unit/report/shops.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::Supermarket;
 using testing::ElementsAre;
+using testing::IsEmpty;
 
 struct NamedShop {
   Scene scene;
@@ -81,27 +73,25 @@ TEST(LabelNames, AreCountedInProportionToTheLabelsAskedFor) {
   for (std::size_t k = 0; k < 20'000; ++k)
     shop.add(fmt::format("{}", k).c_str(), "Sweets", {.fixture = fmt::format("G{}", k % 50)});
   const LabelNames names = shop.names();
-  const test::ProcessorTime time;
+  const ProcessorTime time;
   for (std::uint32_t row = 0; row < 1000; ++row)
     EXPECT_EQ(names.counts(std::vector<LabelId>{row}).front(), fmt::format("G{}: 1 of 400", row % 50));
   EXPECT_LT(time.seconds(), 0.3);  // 2 s when all labels were counted each time
 }
 
-/// The supermarket with labels of a planogram: article numbers as ids.
-struct Planogram : Supermarket {
-  Planogram() {
-    for (std::size_t k = 0; k < scene.labels.size(); ++k) {
-      scene.labels[k].id = matrix.labels[k].id = fmt::format("40011700{:05}", k);
-      scene.labels[k].description = fmt::format("Sweets {}", k);
-    }
+// Labels of a planogram: article numbers as ids.
+void give_articles(PlannedShop& s) {
+  for (std::size_t k = 0; k < s.scene.labels.size(); ++k) {
+    s.scene.labels[k].id = s.matrix.labels[k].id = fmt::format("40011700{:05}", k);
+    s.scene.labels[k].description = fmt::format("Sweets {}", k);
   }
-};
+}
 
 // Texts with an article number that its description does not precede, except cells of its own.
-std::vector<std::string> bare_numbers(const std::string& page) {
+std::vector<std::string> bare_numbers(const Page& page) {
   constexpr std::size_t digits = 13, name_length = 45;
   std::vector<std::string> found;
-  for (const std::string& piece : test::pieces(page))
+  for (const std::string& piece : page.cells)
     for (std::size_t at = 0; (at = piece.find("40011700", at)) != std::string::npos; at += digits) {
       const std::size_t from = at - std::min(at, name_length);
       if (piece.size() != digits && piece.substr(from, at - from).find("Sweets ") == std::string::npos)
@@ -110,108 +100,91 @@ std::vector<std::string> bare_numbers(const std::string& page) {
   return found;
 }
 
-TEST(LabelNames, PrecedeArticleNumbersOnThePage) {
-  Planogram s;
-  test::certify(s);
+TEST(LabelNames, PrecedeArticleNumbers) {
+  Supermarket s;
+  give_articles(s);
+  certify(s);
   s.scene.language = Language::german;
-  const std::string page = report_html(s.input);
-  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
-  EXPECT_THAT(bare_numbers("<p>label 4001170000012 is weak</p>"), testing::SizeIs(1)) << "the control";
-  EXPECT_THAT(bare_numbers("<p>Sweets 3, 4001170000003: 4001170000012</p>"), testing::IsEmpty());
+  const Page page(s.input);
+  EXPECT_THAT(bare_numbers(page), IsEmpty());
+  EXPECT_THAT(bare_numbers(Page("<p>label 4001170000012 is weak</p>")), testing::SizeIs(1)) << "the control";
+  EXPECT_THAT(bare_numbers(Page("<p>Sweets 3, 4001170000003: 4001170000012</p>")), IsEmpty());
   // An article number has a cell of its own only in the table of the weakest labels, after the name.
-  const std::string html = test::without_scripts(page);
   std::size_t cells = 0;
-  for (std::size_t at = 0; (at = html.find("40011700", at)) != std::string::npos; ++at) {
-    const std::size_t row = html.rfind("<tr>", at);
-    EXPECT_NE(html.substr(row, at - row).find("Sweets "), std::string::npos) << html.substr(at, 40);
-    ++cells;
+  for (std::size_t at = 0; (at = page.html.find("40011700", at)) != std::string::npos; ++at, ++cells) {
+    const std::size_t row = page.html.rfind("<tr>", at);
+    EXPECT_NE(page.html.substr(row, at - row).find("Sweets "), std::string::npos) << page.html.substr(at, 40);
   }
   EXPECT_EQ(cells, 20U);
+  EXPECT_NE(labels_csv(s.input).find(",Sweets 0,"), std::string::npos);
 }
 
 // An article twice on a board: two labels with the same name.
 TEST(LabelNames, LeaveIdsInTablesWithoutPositions) {
-  Planogram s;
+  Kiosk s;
+  give_articles(s);
   for (std::size_t k = 5; k < 9; ++k) {
     s.scene.labels[k].description = "Sweets";
     s.scene.labels[k].place = {.fixture = "A1", .face = Face::front, .board = 1};
   }
   const auto id = [&](std::uint32_t row) { return s.matrix.labels[row].id; };
-  const auto cells = [&](std::uint32_t row) { return test::pieces(report_html(s.input)).count(id(row)); };
-  const std::size_t before = cells(7) + cells(8);
+  const auto both = [&](const Page& page) { return page.cells.count(id(7)) + page.cells.count(id(8)); };
+  const Page before(s.input);
   Sensitivity& sensitivity = s.plan.sensitivity.emplace();
   MaterialSensitivity grey{"grey", 0.6, 0.45, 0.75, false, {}, {}};
   grey.at_lower.min_margin = {0.8, 0.008, 5};
   grey.at_upper.min_margin = {1.6, 0.008, 6};
   sensitivity.materials = {grey};
   sensitivity.low.min_margin = sensitivity.high.min_margin = {0.8, 0.008, 5};
-  EXPECT_EQ(cells(5), 1U);
-  EXPECT_NE(report_html(s.input).find(", " + id(6) + ")"), std::string::npos) << "the bar of the chart";
+  const Page with_reflectances(s.input);
+  EXPECT_EQ(with_reflectances.cells.count(id(5)), before.cells.count(id(5)) + 1);
+  EXPECT_TRUE(with_reflectances.has(", " + id(6) + ")")) << "the bar of the chart";
   Availability& availability = s.plan.availability.emplace();
   availability.required.assign(s.matrix.rows(), 0.9);
   availability.examined = {{2, 10, std::vector<std::uint32_t>(s.matrix.rows(), 2), 10}};
   availability.at_risk = {{7, {}}, {8, {}}};
-  EXPECT_EQ(cells(7) + cells(8), before + 2);
+  EXPECT_EQ(both(Page(s.input)), both(before) + 2);
   s.plan.placement.unreachable = {{7, 1, 0.5}, {8, 1, 0.5}};
-  EXPECT_EQ(cells(7) + cells(8), before + 4);
+  EXPECT_EQ(both(Page(s.input)), both(before) + 4);
 }
 
 /// A rack with articles, one of them in a locker.
-struct Bakery {
-  Store store = sample_store::empty_store("Bakery", {12, 10, 3});
-  Scene scene;
-  SignalMatrix matrix;
-  CertifiedPlan plan;
-  ReportInput input{scene, matrix, plan};
-
-  explicit Bakery(double shift = 0) {
-    store.language = Language::german;
-    store.fixtures.push_back(
-        {sample_store::gondola("G3", {5, 5}, 3, 0.8, {0.4, 1.2}, 0, {Face::front}), "fixtures[0]"});
-    store.fixtures.push_back({Box{"locker", {1, 1, 0}, {2, 2, 1}, {}}, "fixtures[1]"});
-    sample_store::add_devices(store, {5, 4.9, 1.2}, {6, 3, 2.9});
-    const auto add = [&](const char* id, const char* description, const Vec3& position, const char* where) {
-      store.labels.push_back({Label{id, position, {0, -1, 0}, LabelTypeId{0}}, where});
-      store.labels.back().value.description = description;
-    };
-    add("4001170000001", "Sweets 1", {6 + shift, 4.99, 0.4}, "q.csv: line 2");
-    add("4001170000002", "Sweets 2", {1.5, 1.5, 0.5}, "q.csv: line 3");
-    scene = make_scene(store);
-    matrix = sample_store::matrix_of(scene);
-    plan.placement = sample_store::cover(matrix);
-    plan.warnings = scene.warnings;
+PlannedShop bakery(double shift = 0) {
+  Store store = empty_store("Bakery", {12, 10, 3});
+  store.language = Language::german;
+  add(store, gondola("G3", {5, 5}, 3, 0.8, {0.4, 1.2}, 0, {Face::front}));
+  add(store, Box{"locker", {1, 1, 0}, {2, 2, 1}, {}});
+  add_devices(store, {5, 4.9, 1.2}, {6, 3, 2.9});
+  add_label(store, "4001170000001", {6 + shift, 4.99, 0.4});
+  add_label(store, "4001170000002", {1.5, 1.5, 0.5});
+  for (const std::size_t k : {1U, 2U}) {
+    store.labels[k].value.description = fmt::format("Sweets {}", k);
+    store.labels[k].where = fmt::format("q.csv: line {}", k + 1);
   }
-  ComparedPlan compared() const {
-    ComparedPlan compared = compared_plan(matrix, plan, resolved_store_json(store, scene));
-    compared.label_names = LabelNames(scene, matrix, words_of(scene)).all();
-    return compared;
-  }
-};
+  PlannedShop shop(store);
+  shop.plan.warnings = shop.scene.warnings;
+  return shop;
+}
 
 TEST(LabelNames, PrecedeArticleNumbersInWarnings) {
-  const Bakery bakery;
-  const std::string page = report_html(bakery.input);
-  const std::string text = test::read_markup(test::without_scripts(page)).text;
-  EXPECT_NE(text.find("q.csv: line 3: label 'Sweets 2' (4001170000002) is inside fixture 'locker'"),
-            std::string::npos);
-  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
+  const Page page(bakery().input);
+  EXPECT_TRUE(page.has_text("q.csv: line 3: label 'Sweets 2' (4001170000002) is inside fixture 'locker'"));
+  EXPECT_THAT(bare_numbers(page), IsEmpty());
 }
 
 TEST(LabelNames, PrecedeArticleNumbersInDifferences) {
-  const Bakery before, after(0.5);
-  const ComparedPlan first = before.compared(), second = after.compared();
+  const auto compared = [](const PlannedShop& shop) {
+    ComparedPlan plan = compared_plan(shop.matrix, shop.plan, resolved_store_json(shop.store, shop.scene));
+    plan.label_names = LabelNames(shop.scene, shop.matrix, words_of(shop.scene)).all();
+    return plan;
+  };
+  const PlannedShop before = bakery(), after = bakery(0.5);
+  const ComparedPlan first = compared(before), second = compared(after);
   const PlanDifference difference = difference_of(first, second);
-  const std::string page = difference_html({{first, second, difference}, after.scene, "1", "2"});
-  EXPECT_NE(page.find("Sweets 1 (4001170000001): position [6.5, 4.99, 0.4]"), std::string::npos);
-  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
-}
-
-TEST(LabelNames, AreInTheTable) {
-  const Planogram s;
-  const std::string csv = labels_csv(s.input);
-  EXPECT_NE(csv.find(",description,fixture,face,board\n4001170000000,"), std::string::npos);
-  EXPECT_NE(csv.find(",Sweets 0,"), std::string::npos);
+  const Page page(difference_html({{first, second, difference}, after.scene, "1", "2"}));
+  EXPECT_TRUE(page.has("Sweets 1 (4001170000001): position [6.5, 4.99, 0.4]"));
+  EXPECT_THAT(bare_numbers(page), IsEmpty());
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

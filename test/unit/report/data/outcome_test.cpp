@@ -1,19 +1,12 @@
 #include "shelfbeam/report/data/outcome.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "unit/report/random_matrix.hpp"
+#include "unit/report/shops.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::random_matrix;
 
 Placement some_units(std::uint32_t columns, std::uint32_t trial, CommunicationModel model) {
   Placement placement;
@@ -79,6 +72,10 @@ bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement&
   const auto redundant =
       std::count_if(check.serving.begin(), check.serving.end(), [](auto n) { return n >= 2; });
   if (outcome.redundant != static_cast<std::size_t>(redundant)) return false;
+  PlacementProblem with_failure = placement.problem;
+  with_failure.redundant = true;
+  if (outcome.secure != matrix.rows() - check_selection(table, with_failure, placement.selected).unmet.size())
+    return false;
   const double least = outcome.labels[outcome.by_margin.front()].margin();
   return outcome.met == matrix.rows() - check.unmet.size() &&
          std::all_of(outcome.labels.begin(), outcome.labels.end(),
@@ -102,24 +99,6 @@ TEST(Outcome, EqualsAPlainRecomputation) {
         EXPECT_FALSE(agrees(outcome, matrix, placement)) << trial;
       }
     }
-}
-
-// A pinned unit occupies its mounting point, as for the search.
-TEST(Outcome, LeavesAPinnedUnitItsMountingPoint) {
-  SignalMatrix matrix = random_matrix(1, 3, 0);
-  matrix.mean = {1, 4, 2};
-  for (TransceiverColumn& unit : matrix.transceivers) unit.installed = false;
-  matrix.transceivers[0].position = matrix.transceivers[1].position = {1, 1, 3};
-  matrix.transceivers[2].position = {2, 2, 3};
-  Placement placement;
-  placement.problem.model = CommunicationModel::cooperative;
-  placement.selected = {0};
-  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 6);
-  matrix.transceivers[0].pinned = true;
-  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 3);
-  matrix.transceivers[0].pinned = false;
-  matrix.transceivers[0].installed = true;
-  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 3);
 }
 
 TEST(Outcome, CountsLabelsAfterTheWorstFailure) {
@@ -221,21 +200,27 @@ TEST(Outcome, FindsLabelsThatDependOnFlaggedEntries) {
   EXPECT_FALSE(hangs({1, 1, 1, 1}));
 }
 
-TEST(Outcome, StrongestUsesOneOptionPerMountingPoint) {
+// An installed or a pinned unit occupies its mounting point, as for the search.
+TEST(Outcome, BestUsesOneOptionPerMountingPoint) {
   SignalMatrix matrix = random_matrix(1, 4, 0);
   matrix.mean = {1, 0.5F, 0.25F, 2};
-  const auto best = [&](CommunicationModel model) {
+  for (TransceiverColumn& unit : matrix.transceivers) unit.installed = false;
+  const auto expect_best = [&](double together, double alone) {
     Placement placement;
-    placement.problem.model = model;
-    return outcome_of(matrix, placement).labels[0].best;
+    placement.selected = {0};
+    placement.problem.model = CommunicationModel::cooperative;
+    EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, together);
+    placement.problem.model = CommunicationModel::non_cooperative;
+    EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, alone);
   };
-  EXPECT_EQ(best(CommunicationModel::cooperative), 3.75);
+  expect_best(3.75, 2);
   matrix.transceivers[3].position = matrix.transceivers[0].position;
-  EXPECT_EQ(best(CommunicationModel::cooperative), 2.75);
-  EXPECT_EQ(best(CommunicationModel::non_cooperative), 2);
-  matrix.transceivers[0].installed = true;  // and stays at its point
-  EXPECT_EQ(best(CommunicationModel::cooperative), 1.75);
-  EXPECT_EQ(best(CommunicationModel::non_cooperative), 1);
+  expect_best(2.75, 2);
+  matrix.transceivers[0].installed = true;
+  expect_best(1.75, 1);
+  matrix.transceivers[0].installed = false;
+  matrix.transceivers[0].pinned = true;
+  expect_best(1.75, 1);
 }
 
 TEST(Outcome, WithoutASelectionNothingIsMet) {
@@ -256,4 +241,4 @@ TEST(Quantile, InterpolatesBetweenOrderStatistics) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,39 +1,25 @@
 #include "shelfbeam/report/difference/difference_report.hpp"
 
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/report/difference/difference_json.hpp"
-#include "shelfbeam/report/text/words.hpp"
 
-#include "unit/report/markup.hpp"
-#include "unit/report/supermarket_report.hpp"
+#include "unit/report/shops.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 /// The kiosk, whose ids need escaping, with some of its three units.
-struct KioskPlan {
-  Store store = sample_store::kiosk();
-  Scene scene = make_scene(store);
-  SignalMatrix matrix = sample_store::matrix_of(scene);
-  CertifiedPlan plan{sample_store::cover(matrix)};
-
-  ComparedPlan compared() const { return compared_plan(matrix, plan, resolved_store_json(store, scene)); }
-  void choose(Selection selected) {
-    plan.placement.selected = std::move(selected);
-    plan.placement.objective_value = static_cast<double>(plan.placement.count());
+struct KioskPlan : PlannedShop {
+  explicit KioskPlan(const Selection& selected, const Store& of = kiosk()) : PlannedShop(of) {
+    placement.selected = selected;
+    placement.objective_value = static_cast<double>(placement.count());
   }
+  ComparedPlan compared() const { return compared_plan(matrix, plan, resolved_store_json(store, scene)); }
 };
 
 struct TwoPlans {
@@ -43,77 +29,60 @@ struct TwoPlans {
 };
 
 std::string answer_to(const KioskPlan& before, const KioskPlan& after) {
-  const TwoPlans compared{before.compared(), after.compared()};
-  return difference_answer(english(), compared.input);
+  return difference_answer(english(), TwoPlans{before.compared(), after.compared()}.input);
 }
 
 TEST(DifferenceReport, AnswersInOneSentence) {
-  KioskPlan all, two, none;
-  all.choose({0, 1, 2});
-  two.choose({0, 1});
-  none.choose({});
-  none.plan.placement.objective_value = std::numeric_limits<double>::infinity();
-  for (KioskPlan* one : {&all, &two, &none}) {
-    one->plan.placement.price.reset();
+  KioskPlan all({0, 1, 2}), two({0, 1}), none({}), other({0, 2});
+  none.placement.objective_value = std::numeric_limits<double>::infinity();
+  for (KioskPlan* one : {&all, &two, &none, &other}) {
+    one->placement.price.reset();
     for (LabelRow& label : one->matrix.labels) label.requirement = 1e-9;
   }
   EXPECT_EQ(answer_to(all, all), "The plans do not differ.");
   EXPECT_EQ(answer_to(all, two), "One unit fewer: 2 instead of 3; all 20 labels stay reached.");
   EXPECT_EQ(answer_to(two, all), "One unit more: 3 instead of 2; all 20 labels stay reached.");
   EXPECT_EQ(answer_to(none, two),
-            "2 units, where the first plan has no selection; 0 of 20 labels stay reached, "
-            "20 gained.");
+            "2 units, where the first plan has no selection; 0 of 20 labels stay reached, 20 gained.");
   EXPECT_EQ(answer_to(two, none),
-            "No selection, where the first plan has 2 units; 0 of 20 labels stay reached, "
-            "20 lost.");
-  KioskPlan other = two;
-  other.choose({0, 2});
+            "No selection, where the first plan has 2 units; 0 of 20 labels stay reached, 20 lost.");
   EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them changed; all 20 labels stay reached.");
-  other.plan.placement.price = {"EUR", 200, 200};
-  two.plan.placement.price = {"EUR", 300, 250};
+  other.placement.price = {"EUR", 200, 200};
+  two.placement.price = {"EUR", 300, 250};
   EXPECT_EQ(answer_to(two, other),
             "2 units as before, 1 of them changed; 200 EUR to spend instead of 250 EUR; "
             "all 20 labels stay reached.");
-  two.plan.placement.price->currency = "USD";
+  two.placement.price->currency = "USD";
   EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them changed; all 20 labels stay reached.");
   other.matrix.labels[3].requirement = 1e9;
   EXPECT_EQ(answer_to(all, other), "One unit fewer: 2 instead of 3; 19 of 20 labels stay reached, 1 lost.");
   other.matrix.labels[4].id = "new";
   other.matrix.labels[4].position.x += 1;
   EXPECT_EQ(answer_to(all, other),
-            "One unit fewer: 2 instead of 3; 18 of 19 labels stay reached, 1 lost, 1 new "
-            "label reached, 1 label is gone.");
+            "One unit fewer: 2 instead of 3; 18 of 19 labels stay reached, 1 lost, 1 new label reached, "
+            "1 label is gone.");
 }
 
-TEST(DifferenceReport, PageIsWellFormedAndContainsBothPlans) {
-  KioskPlan before, after;
-  before.choose({0, 1});
-  after.choose({1, 2});
+TEST(DifferenceReport, PageContainsBothPlans) {
+  KioskPlan before({0, 1}), after({1, 2});
   after.matrix.transceivers[1].position.x -= 1;
   after.matrix.labels[0].requirement = 1e9;
   after.store.materials[0].material = Lambertian{0.5};
   const TwoPlans compared{before.compared(), after.compared()};
-  const std::string html = difference_html({compared.input, after.scene, "plan<1>", "plan&2"});
-  EXPECT_EQ(test::fault(html), "");
-  const std::string text = test::read_markup(html).text;
-  for (const std::string piece :
-       {"plan<1> and plan&2", "1 changed, 1 added, 1 removed", "T&1", "T,2", "T\"3\"", "1 label lost",
-        "grey: reflectance 0.5 instead of 0.7", "label lost", "changed unit", "removed unit"})
-    EXPECT_THAT(text, HasSubstr(piece));
-  EXPECT_THAT(text, testing::Not(HasSubstr("label gained"))) << "negative control";
-  EXPECT_EQ(test::count_of("href=\"#unit-added\"", html), 2U) << "the unit and its key";
-  EXPECT_EQ(test::count_of("href=\"#unit-removed\"", html), 3U) << "also the old place of the moved unit";
+  const Page page(difference_html({compared.input, after.scene, "plan<1>", "plan&2"}));
+  EXPECT_THAT(missing_in(page.text, {"plan<1> and plan&2", "1 changed, 1 added, 1 removed", "T&1", "T,2",
+                                     "T\"3\"", "1 label lost", "grey: reflectance 0.5 instead of 0.7",
+                                     "label lost", "changed unit", "removed unit"}),
+              testing::IsEmpty());
+  EXPECT_FALSE(page.has_text("label gained")) << "negative control";
+  EXPECT_EQ(count_of("href=\"#unit-added\"", page.html), 2U) << "the unit and its key";
+  EXPECT_EQ(count_of("href=\"#unit-removed\"", page.html), 3U) << "also the old place of the moved unit";
 }
 
 TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
-  KioskPlan before, after;
-  after.store.fixtures.clear();
-  after.store.fixtures.push_back(
-      {sample_store::gondola("A<1>", {1.5, 2.5}, 3, 0.8, {0.5, 1.2}, 0, {Face::front, Face::back}),
-       "fixtures"});
-  after.scene = make_scene(after.store);
-  after.matrix = sample_store::matrix_of(after.scene);
-  const TwoPlans compared{before.compared(), after.compared()};
+  Store moved = kiosk();
+  std::get<Gondola>(moved.fixtures[0].value).at = {1.5, 2.5};
+  const TwoPlans compared{KioskPlan({}).compared(), KioskPlan({}, moved).compared()};
   EXPECT_THAT(store_lines(english(), compared.difference),
               ElementsAre("Fixtures: 1 moved, A<1>: at [1.5, 2.5] instead of [1.5, 2]",
                           "Labels: 20 moved, A<1>-front-1-1…5, A<1>-front-2-1…5, A<1>-back-1-1…5, "
@@ -122,28 +91,20 @@ TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
 
 // The bound of a plan for a part of the labels does not hold for plans for all of them.
 TEST(DifferenceReport, NamesTheGoalOfAPartialPlan) {
-  KioskPlan all, part;
-  all.choose({0, 1, 2});
-  part.choose({0});
+  KioskPlan all({0, 1, 2}), part({0});
   for (KioskPlan* one : {&all, &part})
-    one->plan.placement.count_lower_bound = static_cast<double>(one->plan.placement.count());
-  part.plan.placement.partial = {ReachGoal::share, 0.5, 10, 20};
-  const TwoPlans compared{all.compared(), part.compared()};
-  const TextTable figures = difference_figures(english(), compared.input);
-  const std::vector<std::string> goal = figures.back();
-  EXPECT_THAT(goal, ElementsAre("Aim", "all labels", "50.0\u00a0% of the labels"));
-  for (const std::vector<std::string>& row : figures)
-    EXPECT_THAT(row.front(), testing::Not(HasSubstr("all labels")));
+    one->placement.count_lower_bound = static_cast<double>(one->placement.count());
+  part.placement.partial = {ReachGoal::share, 0.5, 10, 20};
+  const TextTable figures = difference_figures(english(), TwoPlans{all.compared(), part.compared()}.input);
+  EXPECT_THAT(figures.back(), ElementsAre("Aim", "all labels", "50.0\u00a0% of the labels"));
+  for (const std::vector<std::string>& row : figures) EXPECT_THAT(row.front(), Not(HasSubstr("all labels")));
 }
 
 TEST(DifferenceReport, JsonHasTheSameLists) {
-  KioskPlan before, after;
-  before.choose({0, 1});
-  after.choose({1, 2});
-  after.plan.placement.min_spacing = 2;
+  KioskPlan before({0, 1}), after({1, 2});
+  after.placement.min_spacing = 2;
   after.matrix.labels[0].requirement = 1e9;
-  const TwoPlans compared{before.compared(), after.compared()};
-  const auto json = difference_json(compared.input);
+  const auto json = difference_json(TwoPlans{before.compared(), after.compared()}.input);
   EXPECT_EQ(json["differs"], true);
   EXPECT_EQ(json["units"]["kept"][0]["after"]["id"], "T,2");
   EXPECT_EQ(json["units"]["added"][0]["id"], "T\"3\"");
@@ -151,11 +112,10 @@ TEST(DifferenceReport, JsonHasTheSameLists) {
   EXPECT_EQ(json["labels"]["lost"].size(), 1U);
   EXPECT_EQ(json["labels"]["lost"][0]["id"], after.matrix.labels[0].id);
   EXPECT_EQ(json["labels"]["lost"][0]["before"]["reached"], true);
-  EXPECT_EQ(json["question"][0]["key"], "min_spacing");
-  EXPECT_EQ(json["question"][0]["before"], nullptr);
-  EXPECT_EQ(json["question"][0]["after"], 2);
+  EXPECT_EQ(json["question"],
+            nlohmann::ordered_json::parse(R"([{"key": "min_spacing", "before": null, "after": 2}])"));
   EXPECT_TRUE(json["store"].empty());
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,23 +1,13 @@
 #include "shelfbeam/report/drawing/id_layer.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <regex>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
 #include "support/processor_time.hpp"
-#include "unit/report/markup.hpp"
-#include "unit/report/sample_store.hpp"
+#include "unit/report/shops.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 struct DrawnText {
@@ -32,21 +22,18 @@ struct DrawnText {
 
 // A room with a column, a pillar that is turned by 45 degrees, and a low block; candidates every `spacing`.
 Store shop(double spacing) {
-  Store store = sample_store::empty_store("Columns", {20, 12, 4});
-  const auto add = [&](Fixture fixture) { store.fixtures.push_back({std::move(fixture), "fixtures"}); };
-  add(Cylinder{"round", {5, 6}, 0.4, {0, 4}, {}});
+  Store store = empty_store("Columns", {20, 12, 4});
+  add(store, Cylinder{"round", {5, 6}, 0.4, {0, 4}, {}});
   Box turned{"turned", {10, 6, 0}, {10.6, 6.6, 4}, {}};
   turned.rotation_deg = 45;
-  add(turned);
-  add(Box{"low", {15, 6, 0}, {16, 7, 1}, {}});
-  store.labels.push_back({Label{"L", {1, 1, 1}, {1, 0, 0}, {}}, "list"});
+  add(store, turned);
+  add(store, Box{"low", {15, 6, 0}, {16, 7, 1}, {}});
+  add_label(store, "L", {1, 1, 1});
   const auto count = [&](double extent) { return static_cast<int>(std::ceil((extent - 0.5) / spacing)); };
   for (int column = 0; column < count(20); ++column)
     for (int row = 0; row < count(12); ++row) {
       const double x = 0.5 + column * spacing, y = 0.5 + row * spacing;
-      store.transceivers.push_back(
-          {Transceiver{fmt::format("C{:.0f}-{:.0f}", 10 * x, 10 * y), {x, y, 3.9}, {0, 0, -1}, 0, {}, false},
-           "list"});
+      add_unit(store, fmt::format("C{:.0f}-{:.0f}", 10 * x, 10 * y), {x, y, 3.9});
     }
   return store;
 }
@@ -55,7 +42,7 @@ std::vector<DrawnText> layer_of(const Scene& scene, const std::vector<Obstacle>&
   SvgCanvas canvas;
   draw_id_layer(canvas, PlanView(scene), scene, texts);
   const std::string& body = canvas.body();
-  EXPECT_EQ(test::read_markup(body).problem, "");
+  EXPECT_EQ(read_markup(body).problem, "");
   const std::regex text(
       R"re(font-size:([0-9.]+)px"><text x="([0-9.]+)" y="([0-9.]+)" class="([a-z]+)">([^<]*)</text>)re");
   std::vector<DrawnText> drawn;
@@ -114,12 +101,9 @@ TEST(IdLayer, NamesTheFacesOfColumnsByTheCompass) {
 
 TEST(IdLayer, JoinsTheIdsAtOnePoint) {
   Store store = shop(100);
-  const auto add = [&](const char* id, const Vec3& at, const Vec3& axis) {
-    store.transceivers.push_back({Transceiver{id, at, axis, 0, {}, false}, "list"});
-  };
-  for (const char* id : {"A1-1-1/a1", "A1-1-1/a2", "A1-1-1/a3"}) add(id, {8, 2, 3.9}, {0, 0, -1});
-  add("G1-1-1", {14, 2, 3.9}, {0, 0, -1});
-  add("low", {14, 2, 2}, {0, 0, -1});
+  for (const char* id : {"A1-1-1/a1", "A1-1-1/a2", "A1-1-1/a3"}) add_unit(store, id, {8, 2, 3.9});
+  add_unit(store, "G1-1-1", {14, 2, 3.9});
+  add_unit(store, "low", {14, 2, 2});
   std::vector<std::string> ids;
   for (const DrawnText& text : layer_of(make_scene(store)))
     if (text.css_class == "cid") ids.push_back(text.text);
@@ -139,21 +123,20 @@ TEST(IdLayer, KeepsClearOfOtherTexts) {
 TEST(IdLayer, IsInThePlanOnlyIfAskedFor) {
   const Scene scene = make_scene(shop(2));
   const std::string without = floor_plan_svg(scene), with = floor_plan_svg(scene, true);
-  EXPECT_EQ(without, floor_plan_svg(scene, false));
   EXPECT_EQ(without.find("id=\"ids\""), std::string::npos);
   EXPECT_EQ(without.find(".cid"), std::string::npos);
-  EXPECT_EQ(test::count_of("<g id=\"ids\">", with), 1U);
+  EXPECT_EQ(count_of("<g id=\"ids\">", with), 1U);
   EXPECT_NE(with.find(".cid{"), std::string::npos);
-  EXPECT_EQ(test::read_markup(with).problem, "");
+  EXPECT_EQ(read_markup(with).problem, "");
 }
 
 TEST(IdLayer, IsDrawnAsFastWithManyTextsElsewhere) {
   const Scene scene = make_scene(shop(0.25));
   const std::vector<Obstacle> elsewhere(20'000, Obstacle(Rectangle{1, 1, 2, 2}));
-  const test::ProcessorTime time;
+  const ProcessorTime time;
   EXPECT_EQ(layer_of(scene, elsewhere).size(), layer_of(scene).size());
   EXPECT_LT(time.seconds(), 1);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

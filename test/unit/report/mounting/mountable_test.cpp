@@ -1,24 +1,140 @@
 // Every unit of random shops can be mounted by the sheet of the page alone.
 
-#include <cmath>
-#include <map>
-#include <optional>
+#include <numbers>
 #include <regex>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <gtest/gtest.h>
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/report/page/sections.hpp"
 
-#include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/report/text/words.hpp"
+#include "unit/report/shops.hpp"
 
-#include "unit/report/random_shop.hpp"
-#include "unit/report/supermarket_report.hpp"
-
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
+
+// Shops with walls, zones, fixtures and units at random.
+class RandomShop {
+ public:
+  explicit RandomShop(unsigned seed) : random_(seed) {}
+
+  Store store() {
+    const double width = between(14, 40), depth = between(12, 60), height = between(3.4, 7);
+    Store store = empty_store("Random", {width, depth, height});
+    shape_room(store, width, depth);
+    add_fixtures(store, width, depth);
+    add_label(store, "L", {0.3, 5.5, 1});
+    add_units(store, width, depth);
+    return store;
+  }
+
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+ private:
+  bool one_of(int count) { return std::uniform_int_distribution<int>(1, count)(random_) == 1; }
+
+  void shape_room(Store& store, double width, double depth) {
+    RoomShape& shape = store.room->shape;
+    const double part = between(3, 5), w = width, d = depth;
+    switch (std::uniform_int_distribution<int>(0, 4)(random_)) {
+      case 0:
+        break;
+      case 1:  // an L
+        set_outline(store, {{0, 0}, {w, 0}, {w, d - part}, {w - part, d - part}, {w - part, d}, {0, d}});
+        break;
+      case 2:  // a corner cut at any angle
+        set_outline(store, {{0, 0}, {w, 0}, {w, d - part}, {w - between(2, 6), d}, {0, d}});
+        break;
+      case 3:  // a slanted wall
+        set_outline(store, {{0, 0}, {w, 0}, {w, d - part}, {0, d}});
+        break;
+      default:  // a shaft
+        shape.is_box = false;
+        set_outline(store, shape.outline);
+        shape.holes = {{{11, 6}, {12.5, 6}, {12.5, 7}, {11, 7}}};
+    }
+    if (one_of(2)) {
+      shape.zones = {{"zone-1", {{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {between(2.4, 3), {}}}};
+      store.room->zones = {{MaterialId{0}, MaterialId{0}}};
+    }
+    if (one_of(2)) {
+      shape.inner_walls = {{"W1", {8, 0}, {8, between(2, 6)}, 0.2, {}, {}}};
+      if (one_of(2)) shape.inner_walls[0].height = 2.2;
+      store.room->inner_walls = {{MaterialId{0}, {}}};
+    }
+  }
+
+  static void set_outline(Store& store, Polygon outline) {
+    store.room->shape.is_box = false;
+    store.room->walls.assign(outline.size(), MaterialId{0});
+    store.room->shape.outline = std::move(outline);
+  }
+
+  // Whether a square about a point is free of walls.
+  static bool is_free(const RoomShape& shape, const Vec2& at, double half) {
+    for (const double x : {at[0] - half, at[0], at[0] + half})
+      for (const double y : {at[1] - half, at[1], at[1] + half}) {
+        if (!shape.covers({x, y})) return false;
+        for (const InnerWall& wall : shape.inner_walls)
+          if (distance_to_border(wall.footprint(0, wall.length()), {x, y}) < half / 2 + 0.2) return false;
+      }
+    return true;
+  }
+
+  void add_fixtures(Store& store, double width, double depth) {
+    int number = 0;
+    for (int column = 0; 3 + 4 * column < width; ++column)
+      for (int row = 0; 3 + 4 * row < depth; ++row) {
+        const double x = 3 + 4 * column, y = 3 + 4 * row;
+        if (one_of(4) || !is_free(store.room->shape, {x, y}, 1.8)) continue;
+        add(store, fixture(fmt::format("F{}", ++number), {x, y}));
+      }
+  }
+
+  Fixture fixture(const std::string& id, const Vec2& at) {
+    const double high = between(0.8, 2.3), a = between(0.3, 1), b = between(0.3, 1), x = at[0], y = at[1];
+    switch (std::uniform_int_distribution<int>(0, 4)(random_)) {
+      case 0:
+        return Box{id, {x - a, y - b, 0}, {x + a, y + b, high}, {}};
+      case 1:
+        return Cylinder{id, at, a / 2, {}, MaterialId{0}};
+      case 2:
+        return Prism{id,
+                     {{x - a, y - b}, {x + a, y - b}, {x + a, y}, {x, y}, {x, y + b}, {x - a, y + b}},
+                     {0, high},
+                     MaterialId{0}};
+      default: {
+        constexpr double length = 2.4, width = 0.8;
+        const double turns[] = {0, 90, between(0, 180)};
+        const double turn = turns[std::uniform_int_distribution<int>(0, 2)(random_)];
+        const double c = std::cos(turn * std::numbers::pi / 180), s = std::sin(turn * std::numbers::pi / 180);
+        const Vec2 corner{x - c * length / 2 + s * width / 2, y - s * length / 2 - c * width / 2};
+        return gondola(id, corner, length, width, {0.4, high / 2 + 0.3, high}, turn,
+                       {Face::front, Face::back});
+      }
+    }
+  }
+
+  void add_units(Store& store, double width, double depth) {
+    Store with_one = store;
+    add_unit(with_one, "T", {0.3, 5.5, 2});
+    const Scene empty = make_scene(with_one);
+    while (store.transceivers.size() < 8) {
+      const Vec2 plan{between(0.2, width - 0.2), between(0.2, depth - 0.2)};
+      if (!is_free(store.room->shape, plan, 0.2)) continue;
+      const double ceiling = store.room->shape.ceiling_over(plan).at(plan);
+      const double z = one_of(4) ? between(1.2, ceiling - 0.1) : ceiling - between(0.05, 0.3);
+      const bool is_blocked = std::ranges::any_of(empty.fixtures, [&](const FixtureOutline& fixture) {
+        return z < fixture.height + 0.05 &&
+               (contains(fixture.footprint, plan) || distance_to_border(fixture.footprint, plan) < 0.05);
+      });
+      if (!is_blocked)
+        add_unit(store, fmt::format("T{}", store.transceivers.size() + 1), {plan[0], plan[1], z});
+    }
+  }
+
+  std::mt19937_64 random_;
+};
 
 using Edge = std::pair<Vec2, Vec2>;
 
@@ -174,7 +290,8 @@ std::optional<Vec2> position_by(const Scene& scene, const Row& row, const Vec2& 
 constexpr double allowed = 0.02;  // m
 
 // The units that are not where the sheet says.
-int misplaced(const Scene& scene, const std::vector<Row>& rows, test::RandomShop& random) {
+int misplaced(const Scene& scene, const std::vector<Row>& rows, unsigned seed) {
+  RandomShop random(seed);
   int count = 0;
   for (const Row& row : rows)
     for (const Transceiver& unit : scene.transceivers) {
@@ -189,39 +306,37 @@ int misplaced(const Scene& scene, const std::vector<Row>& rows, test::RandomShop
   return count;
 }
 
-struct Planned {
-  explicit Planned(unsigned seed) : scene(make_scene(test::RandomShop(seed).store())) {
-    plan.placement = sample_store::cover(matrix);
-    plan.placement.status = Status::optimal;
-    plan.placement.unreachable.clear();
-    plan.placement.selected.clear();
-    for (std::uint32_t j = 0; j < matrix.columns(); ++j) plan.placement.selected.push_back(j);
-  }
+// All units are chosen.
+PlannedShop planned(unsigned seed) {
+  PlannedShop shop(RandomShop(seed).store());
+  shop.placement.status = Status::optimal;
+  shop.placement.unreachable.clear();
+  shop.placement.selected.clear();
+  for (std::uint32_t j = 0; j < shop.matrix.columns(); ++j) shop.placement.selected.push_back(j);
+  return shop;
+}
 
-  Scene scene;
-  SignalMatrix matrix = sample_store::matrix_of(scene);
-  CertifiedPlan plan;
-  ReportInput input{scene, matrix, plan};
-};
+std::vector<Row> sheet_of(const PlannedShop& shop) {
+  const ReportData data(shop.input);
+  return rows_of(mounting_section(data, Maps(data)));
+}
 
 TEST(Mountable, EveryUnitOfRandomShopsIsFoundByItsDistances) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Planned shop(seed);
-    const std::vector<Row> rows = rows_of(test::static_report(shop.input));
+    const PlannedShop shop = planned(seed);
+    const std::vector<Row> rows = sheet_of(shop);
     ASSERT_EQ(rows.size(), shop.scene.transceivers.size()) << seed;
-    test::RandomShop random(100 + seed);
-    EXPECT_EQ(misplaced(shop.scene, rows, random), 0) << seed;
+    EXPECT_EQ(misplaced(shop.scene, rows, 100 + seed), 0) << seed;
   }
 }
 
 TEST(Mountable, IsNotSoByWrongDistances) {
-  const Planned shop(1);
-  const std::vector<Row> rows = rows_of(test::static_report(shop.input));
+  const PlannedShop shop = planned(1);
+  const std::vector<Row> rows = sheet_of(shop);
   const auto misplaced_after = [&](const auto& change) {
     std::vector<Row> wrong = rows;
     for (Row& row : wrong) change(row);
-    test::RandomShop random(101);
-    return misplaced(shop.scene, wrong, random);
+    return misplaced(shop.scene, wrong, 101);
   };
   const int all = static_cast<int>(rows.size());
   EXPECT_EQ(misplaced_after([](Row&) {}), 0);
@@ -232,4 +347,4 @@ TEST(Mountable, IsNotSoByWrongDistances) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

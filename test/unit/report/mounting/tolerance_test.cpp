@@ -1,20 +1,11 @@
 #include "shelfbeam/report/mounting/tolerance.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <random>
 
-#include <gtest/gtest.h>
+#include "unit/report/shops.hpp"
 
-#include "shelfbeam/report/data/outcome.hpp"
-
-#include "unit/report/supermarket_report.hpp"
-
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::Supermarket;
 
 // A supermarket whose labels have the share of their requirement, so that there is room.
 struct Relaxed : Supermarket {
@@ -37,7 +28,7 @@ std::size_t lost(Relaxed& shop, double factor, unsigned seed) {
     p.x += factor * tolerances[k] * std::cos(towards);
     p.y += factor * tolerances[k] * std::sin(towards);
   }
-  SignalMatrix after = sample_store::matrix_of(moved);
+  SignalMatrix after = matrix_of(moved);
   for (std::size_t i = 0; i < after.rows(); ++i)
     after.labels[i].requirement = shop.matrix.labels[i].requirement;
   const Outcome outcome = outcome_of(after, shop.placement);
@@ -97,4 +88,4 @@ TEST(Tolerance, IsUnknownForInstalledUnitsAndChangingShops) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

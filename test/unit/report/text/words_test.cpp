@@ -1,21 +1,13 @@
 #include "shelfbeam/report/text/words.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +210,4 @@ TEST(TextCatalogue, WritesNumbersAsTheLanguageDoes) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test
