@@ -1,24 +1,18 @@
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "support/testing.hpp"
 #include "unit/scene/sample_store.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::Json;
 using testing::ElementsAre;
 using testing::StartsWith;
 
 // The sample with other materials for its white ceiling and for the snow in its freezer.
 std::vector<std::string> warnings(const Json& white, const Json& snow) {
-  Json store = test::sample_store();
+  Json store = sample_store();
   store["materials"]["white"] = white;
   store["materials"]["snow"] = snow;
-  return sentences(test::scene_of(store).warnings);
+  return warnings_of(store);
 }
 
 Json diffuse(double reflectance) {
@@ -44,10 +38,10 @@ TEST(BrightMaterials, AreNeitherMirrorsNorGlassNorUnused) {
   const Json mirror{{"type", "conductor"}, {"eta", 0}, {"k", 1}}, glass{{"type", "dielectric"}, {"ior", 1.5}};
   EXPECT_TRUE(warnings(mirror, diffuse(0.5)).empty());
   EXPECT_TRUE(warnings(diffuse(0.5), glass).empty());
-  Json store = test::sample_store();
+  Json store = sample_store();
   store["materials"]["unused"] = diffuse(1);
-  EXPECT_TRUE(test::scene_of(store).warnings.empty());
+  EXPECT_TRUE(scene_of(store).warnings.empty());
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -29,6 +29,19 @@ def parse(text):
     return json.loads(plain, parse_constant=refuse, parse_float=finite)
 
 
+check_reference, known = jsonschema.Draft202012Validator.VALIDATORS["$ref"], set()
+
+
+def check_once(validator, name, instance, schema):
+    """Checks a value by a part of the schema once: most values of the files are equal, and validation is slow."""
+    key = (name, json.dumps(instance))
+    if key not in known:
+        errors = list(check_reference(validator, name, instance, schema))
+        if not errors:
+            known.add(key)
+        yield from errors
+
+
 def verdict(validator, file):
     try:
         with open(file, encoding="utf-8") as content:
@@ -43,7 +56,7 @@ def main(schema_file, files):
     with open(schema_file, encoding="utf-8") as content:
         schema = json.load(content)
     jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
+    validator = jsonschema.validators.extend(jsonschema.Draft202012Validator, {"$ref": check_once})(schema)
     for file in files:
         print(verdict(validator, file).replace("\n", " "))
 

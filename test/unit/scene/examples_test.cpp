@@ -1,25 +1,15 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <set>
-#include <string>
-#include <variant>
-#include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
+#include "support/testing.hpp"
 #include "unit/scene/solids.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -246,4 +236,4 @@ TEST(Markets, LabelsFaceAisles) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

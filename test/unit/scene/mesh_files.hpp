@@ -10,6 +10,7 @@
 
 #include "support/temp_folder.hpp"
 #include "unit/scene/sample_store.hpp"
+#include "unit/scene/solids.hpp"
 
 namespace shelfbeam::test {
 
@@ -97,16 +98,6 @@ inline std::vector<std::string> file_warnings(const Scene& scene) {
   std::vector<std::string> warnings = sentences(scene.warnings);
   std::erase_if(warnings, [](const std::string& w) { return w.find("the mesh '") == std::string::npos; });
   return warnings;
-}
-
-/// The area of all triangles, m^2.
-inline double mesh_area(const Scene& scene) {
-  double sum = 0;
-  for (const auto& [a, b, c] : scene.mesh.triangles) {
-    const auto& p = scene.mesh.vertices;
-    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
-  }
-  return sum;
 }
 
 }  // namespace shelfbeam::test

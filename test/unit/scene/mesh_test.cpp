@@ -1,56 +1,29 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/file.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
-#include "unit/scene/mesh_files.hpp"
+#include "support/testing.hpp"
+#include "unit/scene/mesh/gltf_maker.hpp"
 
 // Mesh files store coordinates and node transforms as 32-bit numbers. Coordinates here are below 64 m, so
 // they are exact to 4e-6 m, and a sum of a few of them to 2e-5 m. The check at that tolerance rejects a wrong
 // axis, order of transforms or scale, each of which moves a vertex by more than 0.1 m.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::expect_input_error;
-using test::Json;
-using test::mesh_store;
-using test::TempFolder;
-
 constexpr double single = 2e-5;
-
-// The area of each material.
-std::map<std::string, double> areas(const Scene& scene) {
-  std::map<std::string, double> result;
-  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = scene.mesh.triangles[t];
-    const auto& p = scene.mesh.vertices;
-    result[scene.materials[scene.mesh.materials[t].value].name] +=
-        length(cross(p[b] - p[a], p[c] - p[a])) / 2;
-  }
-  return result;
-}
 
 void expect_near(const Vec3& p, const Vec3& expected) {
   EXPECT_LT(length(p - expected), single) << p.x << ' ' << p.y << ' ' << p.z;
 }
 
 const std::filesystem::path grocery = SHELFBEAM_SOURCE_DIR "/examples/grocery";
-const std::filesystem::path checkout = grocery / "checkout.glb";
 
 TEST(Mesh, OfTheGroceryCheckout) {
   const Json materials = {{"Painted*", "steel"}, {"BeltRubber", "tile"}, {"*Plastic", "white"}};
-  const Scene scene = test::scene_of(mesh_store("checkout.glb", materials), grocery);
+  const Scene scene = scene_of(mesh_store("checkout.glb", materials), grocery);
   // 3 blocks, a belt, and 2 blocks with a pole of 12 sides (scripts/make-example-meshes).
   EXPECT_EQ(scene.mesh.triangles.size(), 36u + 12 + 24 + 48);
-  auto area = areas(scene);
+  auto area = areas_of(scene);
   const auto block = [](double a, double b, double c) { return 2 * (a * b + b * c + c * a); };
   EXPECT_NEAR(area["tile"], block(2.15, 0.03, 0.44), 1e-5);
   const double turn = 2 * std::acos(-1.0) / 12;
@@ -69,7 +42,7 @@ TEST(Mesh, IsTransformed) {
   folder.write("corner.obj", "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 6\nf 1 2 3\nf 1 2 4\n");
   Json store = mesh_store("corner.obj");
   store["fixtures"][0].update(Json{{"at", {10, 20, 1}}, {"rotation_deg", 90}, {"scale", 0.5}});
-  const Scene scene = test::scene_of(store, folder.path());
+  const Scene scene = scene_of(store, folder.path());
   ASSERT_EQ(scene.mesh.triangles.size(), 2u);
   // (2, 0, 0) is scaled to (1, 0, 0), rotated to (0, 1, 0), and moved; z is up in OBJ.
   const auto& p = scene.mesh.vertices;
@@ -79,30 +52,18 @@ TEST(Mesh, IsTransformed) {
   expect_near(p[c], {8, 20, 1});
   expect_near(p[scene.mesh.triangles[1][2]], {10, 20, 4});
   store["fixtures"][0]["up"] = "y";
-  const Scene upright = test::scene_of(store, folder.path());
+  const Scene upright = scene_of(store, folder.path());
   // (0, 4, 0) points up now; (0, 0, 6) points to -y before the rotation and to +x after it.
   expect_near(upright.mesh.vertices[upright.mesh.triangles[0][2]], {10, 20, 3});
   expect_near(upright.mesh.vertices[upright.mesh.triangles[1][2]], {13, 20, 1});
 }
 
-// A glTF file with the triangle (0, 0, 0), (1, 0, 0), (0, 2, 0), an embedded buffer, and the given nodes.
-Json gltf(const Json& nodes) {
-  Json file = Json::parse(R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
-    "materials": [{ "name": "Sheet" }],
-    "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1, "material": 0 }] }],
-    "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
-                    "max": [1, 2, 0] },
-                  { "bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR" }],
-    "bufferViews": [{ "buffer": 0, "byteLength": 36 }, { "buffer": 0, "byteOffset": 36, "byteLength": 6 }],
-    "buffers": [{ "byteLength": 42, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAAAAABAAIA" }] })");
-  file["nodes"] = nodes;
-  return file;
-}
-
-std::vector<Vec3> corners(const Json& file) {
-  const TempFolder folder;
-  folder.write("mesh.gltf", file.dump());
-  const Scene scene = test::scene_of(mesh_store("mesh.gltf", {{"Sheet", "tile"}}), folder.path());
+// The corners of a glTF file with these nodes: (0, 0, 0), (0, 2, 0), (1, 0, 0) are those of its first
+// triangle.
+std::vector<Vec3> corners(const Json& nodes) {
+  GltfMaker maker;
+  maker.file["nodes"] = nodes;
+  const Scene scene = maker.scene();
   std::vector<Vec3> result;
   for (const auto& triangle : scene.mesh.triangles)
     for (const auto v : triangle) result.push_back(scene.mesh.vertices[v]);
@@ -117,62 +78,50 @@ Vec3 upright(double x, double y, double z) {
 TEST(Mesh, NodesMoveTurnAndScale) {
   const double half = std::sqrt(0.5);
   // A rotation by 90 degrees about x takes y to z and z to -y.
-  const auto p = corners(gltf({{{"mesh", 0},
-                                {"translation", {10, 20, 30}},
-                                {"rotation", {half, 0, 0, half}},
-                                {"scale", {2, 3, 4}}}}));
-  ASSERT_EQ(p.size(), 3u);
-  expect_near(p[0], upright(10, 20, 30));
-  expect_near(p[1], upright(12, 20, 30));
-  expect_near(p[2], upright(10, 20, 36));
+  const auto p = corners(
+      {{{"mesh", 0}, {"translation", {10, 20, 30}}, {"rotation", {half, 0, 0, half}}, {"scale", {2, 3, 4}}}});
+  expect_near(p.at(0), upright(10, 20, 30));
+  expect_near(p.at(1), upright(10, 20, 36));
+  expect_near(p.at(2), upright(12, 20, 30));
 }
 
 TEST(Mesh, NodesAreNested) {
   // The child is moved by 1 along its own x, then scaled by 2 relative to its parent, then moved by 5 along
   // y.
-  const auto p = corners(gltf({{{"children", {1}}, {"scale", {2, 2, 2}}, {"translation", {0, 5, 0}}},
-                               {{"mesh", 0}, {"translation", {1, 0, 0}}}}));
-  ASSERT_EQ(p.size(), 3u);
-  expect_near(p[0], upright(2, 5, 0));
-  expect_near(p[1], upright(4, 5, 0));
-  expect_near(p[2], upright(2, 9, 0));
+  const auto p = corners({{{"children", {1}}, {"scale", {2, 2, 2}}, {"translation", {0, 5, 0}}},
+                          {{"mesh", 0}, {"translation", {1, 0, 0}}}});
+  expect_near(p.at(0), upright(2, 5, 0));
+  expect_near(p.at(1), upright(2, 9, 0));
+  expect_near(p.at(2), upright(4, 5, 0));
 }
 
 TEST(Mesh, NodesMayHaveAMatrixAndShareAMesh) {
   // Columns: x stays, y becomes -y (a mirror), z stays; moved by (7, 8, 9).
   const Json matrix{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1};
-  const auto p = corners(gltf({{{"children", {1, 2}}}, {{"mesh", 0}, {"matrix", matrix}}, {{"mesh", 0}}}));
-  ASSERT_EQ(p.size(), 6u);
+  const auto p = corners({{{"children", {1, 2}}}, {{"mesh", 0}, {"matrix", matrix}}, {{"mesh", 0}}});
+  ASSERT_EQ(p.size(), 24u);
   const auto has = [&](const Vec3& wanted) {
     return std::any_of(p.begin(), p.end(), [&](const Vec3& q) { return length(q - wanted) < single; });
   };
-  EXPECT_TRUE(has(upright(7, 8, 9)));
-  EXPECT_TRUE(has(upright(8, 8, 9)));
-  EXPECT_TRUE(has(upright(7, 6, 9)));
-  EXPECT_TRUE(has(upright(0, 0, 0)));
-  EXPECT_TRUE(has(upright(0, 2, 0)));
+  for (const Vec3& corner :
+       {upright(7, 8, 9), upright(8, 8, 9), upright(7, 6, 9), upright(0, 0, 0), upright(0, 2, 0)})
+    EXPECT_TRUE(has(corner)) << corner.x << ' ' << corner.y << ' ' << corner.z;
   EXPECT_FALSE(has(upright(7, 10, 9))) << "the mirror must show";
 }
 
 TEST(Mesh, ExtensionInCapitalsIsGltfToo) {
-  const TempFolder folder;
-  folder.write("MESH.GLTF", gltf({{{"mesh", 0}}}).dump());
-  const Scene scene = test::scene_of(mesh_store("MESH.GLTF"), folder.path());
-  expect_near(scene.upper, {1, 0, 2});
+  expect_near(read_mesh("MESH.GLTF", GltfMaker().text()).upper, {1, 0, 2});
 }
-
-const std::string three_materials =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nmtllib colours.mtl\n"
-    "usemtl red brick\nf 1 2 3\nusemtl red paint\nf 1 2 4\nusemtl glass\nf 1 3 4\n";
-const std::string colours =
-    "newmtl red brick\nKd 1 0 0\nnewmtl red paint\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n";
 
 TEST(Mesh, FirstPatternThatMatchesCounts) {
   const TempFolder folder;
-  folder.write("colours.mtl", colours);
-  folder.write("three.obj", three_materials);
+  folder.write("colours.mtl",
+               "newmtl red brick\nKd 1 0 0\nnewmtl red paint\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n");
+  folder.write("three.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nmtllib colours.mtl\n"
+               "usemtl red brick\nf 1 2 3\nusemtl red paint\nf 1 2 4\nusemtl glass\nf 1 3 4\n");
   const auto area = [&](const Json& materials) {
-    return areas(test::scene_of(mesh_store("three.obj", materials), folder.path()));
+    return areas_of(scene_of(mesh_store("three.obj", materials), folder.path()));
   };
   const double half = 0.5, all = 1.5;
   const auto first = area({{"red paint", "tile"}, {"red*", "steel"}, {"?lass", "white"}});
@@ -185,87 +134,43 @@ TEST(Mesh, FirstPatternThatMatchesCounts) {
   EXPECT_NEAR(area({{"*", "snow"}}).at("snow"), all, 1e-6);
 }
 
-TEST(Mesh, EveryMaterialWithoutAMatchIsListed) {
-  const TempFolder folder;
-  folder.write("colours.mtl", colours);
-  folder.write("three.obj", three_materials);
-  const auto read = [&](const Json& materials) {
-    return [&folder, materials] { test::scene_of(mesh_store("three.obj", materials), folder.path()); };
-  };
-  expect_input_error(read({{"RED*", "steel"}, {"glas", "white"}}),
-                     "store.json: fixtures[0].file: ", "three.obj': glass, red brick, red paint;");
-  expect_input_error(read({{"red?paint", "steel"}}), ": glass, red brick;");
-  expect_input_error(read(Json::object()), ": glass, red brick, red paint;");
-}
-
 TEST(Mesh, SurfacesWithoutAMaterialTakeTheStar) {
-  const TempFolder folder;
-  Json file = gltf({{{"mesh", 0}}});
-  Json& primitives = file["meshes"][0]["primitives"];
+  GltfMaker maker;
+  Json& primitives = maker.file["meshes"][0]["primitives"];
   primitives.push_back(primitives[0]);
   primitives[1].erase("material");
-  folder.write("mixed.gltf", file.dump());
-  const auto read = [&](const Json& materials) {
-    return test::scene_of(mesh_store("mixed.gltf", materials), folder.path());
-  };
-  auto area = areas(read({{"Sheet", "tile"}, {"*", "steel"}}));
-  EXPECT_NEAR(area["tile"], 1, 1e-6);
-  EXPECT_NEAR(area["steel"], 1, 1e-6);
+  const auto read = [&](const Json& materials) { return read_mesh("mixed.gltf", maker.text(), materials); };
+  const auto area = areas_of(read({{"m", "tile"}, {"*", "steel"}}));
+  EXPECT_NEAR(area.at("tile"), tetrahedron_area, 1e-6);
+  EXPECT_NEAR(area.at("steel"), tetrahedron_area, 1e-6);
   const Json neither = {{"D*", "tile"}};
-  expect_input_error([&] { read(neither); }, "mixed.gltf': Sheet, ", "surfaces without");
-  expect_input_error([&] { read({{"Sheet", "tile"}}); }, "surfaces of", "mixed.gltf'");
+  expect_input_error([&] { read(neither); }, "mixed.gltf': m, ", "surfaces without");
+  expect_input_error([&] { read({{"m", "tile"}}); }, "surfaces of", "mixed.gltf'");
 }
 
 TEST(Mesh, NamesThatAreNotUtf8DoNoHarm) {
   const TempFolder folder;
   folder.write("odd.obj", "usemtl caf\xE9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Store store = test::read_text(mesh_store("odd.obj").dump(), folder.path());
+  const Store store = read(mesh_store("odd.obj"), folder.path());
   EXPECT_NO_THROW(resolved_store_json(store, make_scene(store)));
 }
 
+// Texts of other formats are refused by test/data/refused/meshes.jsonc and MeshFormats.
 TEST(Mesh, BrokenFilesAreRefused) {
+  const std::string good = read_file(grocery / "checkout.glb");
+  for (const auto& [name, content] :
+       std::vector<std::pair<std::string, std::string>>{{"empty.glb", ""},
+                                                        {"magic.glb", "glTF"},
+                                                        {"header.glb", good.substr(0, 20)},
+                                                        {"half.glb", good.substr(0, good.size() / 2)},
+                                                        {"text.glb", "this is no mesh"},
+                                                        {"cut.gltf", GltfMaker().text().substr(0, 300)},
+                                                        {"store.json", sample_store().dump()}})
+    expect_input_error([&, &file = name, &bytes = content] { read_mesh(file, bytes); },
+                       "store.json: fixtures[0].file: ");
   const TempFolder folder;
-  const std::string good = read_file(checkout);
-  Json no_buffer = gltf({{{"mesh", 0}}}), far_indices = no_buffer, no_scene = no_buffer;
-  no_buffer["buffers"][0]["uri"] = "elsewhere.bin";
-  far_indices["bufferViews"][1]["byteOffset"] = 4000;
-  no_scene.erase("scenes");
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"empty.glb", ""},
-      {"magic.glb", "glTF"},
-      {"header.glb", good.substr(0, 20)},
-      {"half.glb", good.substr(0, good.size() / 2)},
-      {"text.glb", "this is no mesh"},
-      {"no_buffer.gltf", no_buffer.dump()},
-      {"far_indices.gltf", far_indices.dump()},
-      {"no_scene.gltf", no_scene.dump()},
-      {"cut.gltf", gltf({{{"mesh", 0}}}).dump().substr(0, 300)},
-      {"empty.obj", ""},
-      {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
-      {"line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"},
-      {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
-      {"infinite.obj", "v 0 0 0\nv 1 1e999 0\nv 0 1 0\nf 1 2 3\n"},
-      {"store.json", test::sample_store().dump()},
-      {"mesh.docx", "PK"},
-  };
-  for (const auto& [name, content] : files) {
-    folder.write(name, content);
-    const std::string message =
-        test::input_error([&, &file = name] { test::scene_of(mesh_store(file), folder.path()); });
-    EXPECT_TRUE(message.starts_with("store.json: fixtures[0].file: ")) << name << ": " << message;
-  }
-  expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); }, "none.obj' ");
-}
-
-TEST(Mesh, WrongUnitOfLengthIsDetected) {
-  const TempFolder folder;
-  folder.write("mm.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
-  Json store = mesh_store("mm.obj");
-  expect_input_error([&] { test::scene_of(store, folder.path()); }, "store.json: fixtures[0]: ", "1.2e+04 m",
-                     "'scale'");
-  store["fixtures"][0]["scale"] = 0.001;
-  EXPECT_NEAR(test::scene_of(store, folder.path()).upper.x, 12, single);
+  expect_input_error([&] { scene_of(mesh_store("none.obj"), folder.path()); }, "none.obj' ");
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -11,9 +14,13 @@ namespace shelfbeam::test {
 
 using Json = nlohmann::ordered_json;
 
+inline Json operator""_json(const char* text, std::size_t size) {
+  return Json::parse(text, text + size);
+}
+
 /// A small store with something in every section.
 inline Json sample_store() {
-  return Json::parse(R"({
+  return R"({
     "$schema": "../data/store.schema.json",
     "name": "Sample",
     "wavelength_nm": 950,
@@ -66,7 +73,7 @@ inline Json sample_store() {
                 { "id": "T2", "position": [1, 3, 2.8], "type": "ring" } ],
       "keep_out": [ { "min": [0, 0], "max": [1.5, 1.5] } ],
       "installed": [ "T1" ] }
-  })");
+  })"_json;
 }
 
 /// The sample with one value replaced; `pointer` is a JSON pointer, and an empty text removes the value.
@@ -87,8 +94,25 @@ inline Store read_text(const std::string& text, const std::filesystem::path& fol
   return parse_store(text, "store.json", folder);
 }
 
+inline Store read(const Json& store, const std::filesystem::path& folder = {}) {
+  return read_text(store.dump(), folder);
+}
+
 inline Scene scene_of(const Json& store, const std::filesystem::path& folder = {}) {
-  return make_scene(read_text(store.dump(), folder));
+  return make_scene(read(store, folder));
+}
+
+/// The warnings of a scene, as text.
+inline std::vector<std::string> warnings_of(const Json& store, const std::filesystem::path& folder = {}) {
+  return sentences(scene_of(store, folder).warnings);
+}
+
+/// The sample with this fixture, or these, in a room of 30 x 20 x 3 m.
+inline Json store_with(const Json& fixtures) {
+  Json store = sample_store();
+  store["fixtures"] = fixtures.is_array() ? fixtures : Json::array({fixtures});
+  store["room"]["size"] = {30, 20, 3};
+  return store;
 }
 
 /// A store with this room, without fixtures, and with one label and one candidate near its first corner.
@@ -96,10 +120,23 @@ inline Json store_of_room(const std::string& room) {
   Json store = sample_store();
   store["room"] = Json::parse(room);
   store["fixtures"] = Json::array();
-  store["labels"] =
-      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
-  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
+  store["labels"] = R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])"_json;
+  store["transceivers"] = R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})"_json;
   return store;
+}
+
+/// The member of a list with this id.
+template <class List>
+const auto& by_id(const List& list, std::string_view id) {
+  return *std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.id == id; });
+}
+
+/// All ids of a list, with a blank behind each.
+template <class List>
+std::string ids_of(const List& list) {
+  std::string ids;
+  for (const auto& one : list) ids += one.id + " ";
+  return ids;
 }
 
 }  // namespace shelfbeam::test

@@ -6,9 +6,10 @@
 
 namespace shelfbeam::test {
 
-/// One gondola without a room: 3.2 x 0.9 x 1.8 m, boards at 0.4, 1.0 and 1.5 m, labels 0.5 m apart.
-inline Json gondola_store() {
-  return Json::parse(R"({
+/// One gondola without a room: 3.2 x 0.9 x 1.8 m, boards at 0.4, 1.0 and 1.5 m, labels 0.5 m apart; with
+/// other keys.
+inline Json gondola_store(const Json& keys = Json::object()) {
+  Json store = R"({
     "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } },
     "label_types": { "l": { "threshold": 0.01 } },
     "transceiver_types": { "t": { "emission": { "type": "sin2theta", "peak": 1 } } },
@@ -17,15 +18,17 @@ inline Json gondola_store() {
                     "labels": { "type": "l", "spacing": 0.5 } } ],
     "labels": [ { "id": "far", "position": [0, 0, 1], "normal": [1, 0, 0], "type": "l" } ],
     "transceivers": { "list": [ { "id": "T", "position": [0, 0, 3], "type": "t" } ] }
-  })");
+  })"_json;
+  store["fixtures"][0].merge_patch(keys);
+  return store;
 }
 
-/// The same, plus a freezer of 2 x 0.8 x 0.9 m.
-inline Json freezer_store() {
+/// The same with a freezer of 2 x 0.8 x 0.9 m.
+inline Json freezer_store(const Json& keys = Json::object()) {
   Json store = gondola_store();
-  store["fixtures"][0] =
-      Json::parse(R"({ "type": "freezer", "id": "F", "at": [2, 1], "length": 2, "depth": 0.8,
-    "height": 0.9, "material": "m", "labels": { "type": "l", "spacing": 0.4 } })");
+  store["fixtures"][0] = R"({ "type": "freezer", "id": "F", "at": [2, 1], "length": 2, "depth": 0.8,
+    "height": 0.9, "material": "m", "labels": { "type": "l", "spacing": 0.4 } })"_json;
+  store["fixtures"][0].merge_patch(keys);
   return store;
 }
 

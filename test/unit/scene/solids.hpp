@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,40 @@ inline double area(const Solid& solid, const TriangleMesh& mesh) {
   for (const auto& [a, b, c] : solid.triangles)
     twice += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
   return twice / 2;
+}
+
+/// The edges that belong to an odd number of triangles, of which a closed surface has none; without one
+/// material.
+inline std::vector<std::array<std::uint32_t, 2>> open_edges(const TriangleMesh& mesh,
+                                                            std::optional<MaterialId> without = {}) {
+  std::map<std::array<std::uint32_t, 2>, int> count;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3 && mesh.materials[t] != without; ++k) {
+      const auto [a, b] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+      ++count[{a, b}];
+    }
+  std::erase_if(count, [](const auto& edge) { return edge.second % 2 == 0; });
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const auto& [edge, times] : count) edges.push_back(edge);
+  return edges;
+}
+
+/// The area of the triangles of each material, m^2.
+inline std::map<std::string, double> areas_of(const Scene& scene) {
+  std::map<std::string, double> areas;
+  const auto& p = scene.mesh.vertices;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = scene.mesh.triangles[t];
+    areas[scene.materials[scene.mesh.materials[t].value].name] += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return areas;
+}
+
+/// The area of all triangles, m^2.
+inline double mesh_area(const Scene& scene) {
+  double sum = 0;
+  for (const auto& [material, area] : areas_of(scene)) sum += area;
+  return sum;
 }
 
 /// Area of a polygon; positive if it is counter-clockwise.

@@ -1,21 +1,13 @@
 #include "shelfbeam/scene/store_folder.hpp"
 
-#include <filesystem>
-#include <string>
-
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
-#include "unit/scene/mesh_files.hpp"
+#include "support/testing.hpp"
+#include "unit/scene/mesh/gltf_maker.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::expect_input_error;
-using test::Json;
-using test::TempFolder;
 namespace fs = std::filesystem;
 
 constexpr const char* refused = "outside the folder of the store file";
@@ -32,11 +24,11 @@ class References : public testing::Test {
     fs::create_directory_symlink(home, folder.path() / "also");
   }
   void read(const std::string& name, bool allow_outside = false, const fs::path& from = {}) const {
-    make_scene(parse_store(test::mesh_store(name).dump(), "store.json", from.empty() ? home : from,
+    make_scene(parse_store(mesh_store(name).dump(), "store.json", from.empty() ? home : from,
                            {.allow_outside = allow_outside}));
   }
   void read_without_links(const std::string& name, const fs::path& from) const {
-    make_scene(parse_store(test::mesh_store(name).dump(), "store.json", from, {.allow_links = false}));
+    make_scene(parse_store(mesh_store(name).dump(), "store.json", from, {.allow_links = false}));
   }
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   TempFolder folder;
@@ -51,10 +43,9 @@ TEST_F(References, BelowTheFolderAreRead) {
 }
 
 TEST_F(References, OutsideAreRefusedUnlessAllowed) {
-  const std::string absolute = (folder.path() / "secret.obj").string();
   for (const std::string& name :
-       {std::string("../secret.obj"), std::string("deep/../../secret.obj"), absolute, std::string("out.obj"),
-        std::string("up/secret.obj"), std::string("../store/../secret.obj")}) {
+       std::vector<std::string>{"../secret.obj", "deep/../../secret.obj", folder / "secret.obj", "out.obj",
+                                "up/secret.obj", "../store/../secret.obj"}) {
     expect_input_error([&] { read(name); }, "store.json: fixtures[0].file: '" + name + "' ", refused);
     EXPECT_NO_THROW(read(name, true)) << name;
   }
@@ -73,9 +64,8 @@ TEST_F(References, OutsideAreRefusedWhetherOrNotTheyExist) {
 }
 
 TEST_F(References, ByLinksAreReadOnlyIfAllowed) {
-  const std::string absolute = (home / "own.obj").string();
   for (const std::string& name :
-       {std::string("own.obj"), std::string("deep/own.obj"), std::string("deep/../own.obj"), absolute})
+       std::vector<std::string>{"own.obj", "deep/own.obj", "deep/../own.obj", home / "own.obj"})
     EXPECT_NO_THROW(read_without_links(name, home)) << name;
   EXPECT_NO_THROW(read_without_links("own.obj", folder.path() / "also")) << "the folder by a link";
   fs::create_directory_symlink("deep", home / "short");
@@ -85,8 +75,8 @@ TEST_F(References, ByLinksAreReadOnlyIfAllowed) {
        {"link.obj", "short/own.obj", "short/../own.obj", "out.obj", "up/secret.obj", "none.obj"})
     expect_input_error([&] { read_without_links(name, home); },
                        "store.json: fixtures[0].file: '" + (home / name).string() + "' ", "symbolic link");
-  for (const std::string& name : {std::string("../secret.obj"), std::string("deep/../../none.obj"),
-                                  (folder.path() / "secret.obj").string()})
+  for (const std::string& name :
+       std::vector<std::string>{"../secret.obj", "deep/../../none.obj", folder / "secret.obj"})
     expect_input_error([&] { read_without_links(name, home); }, refused);
 }
 
@@ -101,17 +91,15 @@ TEST_F(References, ToWhatCannotBeReadDoNotWait) {
 TEST_F(References, OfAnyKindAreConfined) {
   folder.write("devices.csv", "");
   fs::create_symlink("none.csv", home / "devices.csv");
-  const Json planogram{{"file", "../devices.csv"}, {"type", "small"}};
-  for (const Json& change :
-       {Json{{"labels", {{"csv", "../devices.csv"}}}},
-        Json{{"transceivers", {{"list", {{"csv", "../devices.csv"}}}}}},
-        Json{{"transceiver_types",
-              {{"down", {{"emission", {{"type", "ies"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}},
-        Json{{"transceiver_types",
-              {{"down", {{"emission", {{"type", "eulumdat"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}},
-        Json{{"catalogues", {"../devices.csv"}}}, Json{{"planogram", planogram}}}) {
-    Json store = test::mesh_store("own.obj");
-    store.update(change);
+  for (
+      const char* change :
+      {R"({"labels": {"csv": "../devices.csv"}})", R"({"transceivers": {"list": {"csv": "../devices.csv"}}})",
+       R"({"transceiver_types": {"down": {"emission": {"type": "ies", "file": "../devices.csv", "flux": 1}}}})",
+       R"({"transceiver_types": {"down": {"emission": {"type": "eulumdat", "file": "../devices.csv", "flux": 1}}}})",
+       R"({"catalogues": ["../devices.csv"]})",
+       R"({"planogram": {"file": "../devices.csv", "type": "small"}})"}) {
+    Json store = mesh_store("own.obj");
+    store.update(Json::parse(change));
     std::string text = store.dump();
     expect_input_error([&] { parse_store(text, "store.json", home); }, refused);
     text.erase(text.find("../devices"), 3);
@@ -121,30 +109,22 @@ TEST_F(References, OfAnyKindAreConfined) {
 }
 
 TEST_F(References, OfAMeshAreConfinedToo) {
-  const auto gltf = [](const std::string& uri) {
-    return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
-      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
-           uri + R"("}]})";
-  };
-  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
-  folder.write("a b.bin", bytes);
-  folder.write("store/deep/a b.bin", bytes);
-  folder.write("store/deep/own.gltf", gltf("a%20b.bin"));
+  const GltfMaker maker;
+  folder.write("a b.bin", maker.bytes());
+  folder.write("store/deep/a b.bin", maker.bytes());
+  folder.write("store/deep/own.gltf", maker.text("a%20b.bin"));
   EXPECT_NO_THROW(read("deep/own.gltf")) << "beside the mesh, its blank as glTF writes it";
-  folder.write("store/deep/up.gltf", gltf("%2e./../a%20b.bin"));
+  folder.write("store/deep/up.gltf", maker.text("%2e./../a%20b.bin"));
   expect_input_error([&] { read("deep/up.gltf"); }, "fixtures[0].file: ", refused);
   EXPECT_NO_THROW(read("deep/up.gltf", true));
   fs::create_symlink("a b.bin", home / "deep/link.bin");
-  folder.write("store/deep/link.gltf", gltf("link.bin"));
+  folder.write("store/deep/link.gltf", maker.text("link.bin"));
   EXPECT_NO_THROW(read("deep/link.gltf"));
   expect_input_error([&] { read_without_links("deep/link.gltf", home); }, "symbolic link");
 }
 
 TEST_F(References, OfTheStoreFileItselfMayBeALink) {
-  const fs::path file = folder.write("store/store.json", test::mesh_store("own.obj").dump());
+  const fs::path file = folder.write("store/store.json", mesh_store("own.obj").dump());
   fs::create_symlink(file, home / "other.json");
   EXPECT_NO_THROW(read_store(home / "other.json"));
   EXPECT_NO_THROW(read_store(file, {.allow_links = false}));
@@ -152,7 +132,7 @@ TEST_F(References, OfTheStoreFileItselfMayBeALink) {
 }
 
 TEST_F(References, AreNoLargerThanTheLimit) {
-  const std::string store = test::mesh_store("own.obj").dump();
+  const std::string store = mesh_store("own.obj").dump();
   ASSERT_GT(store.size(), triangle.size());
   const fs::path file = folder.write("store/store.json", store);
   EXPECT_NO_THROW(read_store(file, {.file_size = store.size()}));
@@ -166,4 +146,4 @@ TEST_F(References, AreNoLargerThanTheLimit) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,63 +1,15 @@
 // One shop written in each unit of length.
 
-#include <cmath>
-#include <string>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/same_scene.hpp"
-#include "unit/scene/sample_store.hpp"
+#include "unit/scene/stores.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::Json;
-using test::sample_store;
-using test::scene_of;
-using test::TempFolder;
-
-// The sample store with every length replaced by `change` of it. `at_m` has its unit in its name.
-template <class Change>
-Json with_lengths(const Change& change) {
-  Json store = sample_store();
-  const auto all = [&](auto& self, Json& value) -> void {
-    if (value.is_array())
-      for (Json& element : value) self(self, element);
-    else
-      value = change(value.get<double>());
-  };
-  const auto each = [&](Json& object, std::initializer_list<const char*> keys) {
-    for (const char* key : keys)
-      if (object.contains(key)) all(all, object[key]);
-  };
-  each(store["room"], {"size"});
-  for (Json& material : store["materials"]) each(material, {"thickness"});
-  for (Json& type : store["label_types"]) each(type, {"size"});
-  for (Json& type : store["transceiver_types"]) each(type, {"radius"});
-  for (Json& fixture : store["fixtures"]) {
-    each(fixture, {"at", "length", "depth", "height", "shelves", "min", "max"});
-    if (fixture.contains("labels")) each(fixture["labels"], {"spacing"});
-    if (fixture.contains("parts"))
-      for (Json& part : fixture["parts"]) each(part, {"vertices"});
-  }
-  for (Json& label : store["labels"]) each(label, {"position"});
-  for (Json& grid : store["transceivers"]["grids"]) each(grid, {"min", "max", "spacing", "z"});
-  for (Json& unit : store["transceivers"]["list"]) each(unit, {"position"});
-  for (Json& area : store["transceivers"]["keep_out"]) each(area, {"min", "max"});
-  return store;
-}
-
-// The double nearest to the decimal number.
-double decimal(double value) {
-  return std::round(value * 1e7) / 1e7;
-}
 
 void expect_same(const Json& store, const Scene& expected) {
   const Scene scene = scene_of(store);
-  EXPECT_EQ(test::fingerprint(scene), test::fingerprint(expected)) << store["units"];
+  EXPECT_EQ(fingerprint(scene), fingerprint(expected)) << store["units"];
   EXPECT_EQ(scene.store_hash, expected.store_hash) << store["units"];
 }
 
@@ -83,61 +35,27 @@ TEST(Units, OneShopInEachUnitIsTheSameScene) {
 }
 
 TEST(Units, ResolvedStoresAreInMetres) {
-  Json json = with_lengths([](double metres) { return decimal(metres * 1000); });
-  json["units"] = "mm";
-  const Store store = test::read_text(json.dump());
-  const std::string resolved = resolved_store_json(store, make_scene(store));
+  const std::string resolved = expect_same_scene(read(sample_in_mm()));
   EXPECT_EQ(resolved.find("units"), std::string::npos);
-  const Store again = test::read_text(resolved);
-  EXPECT_EQ(again.unit, LengthUnit::m);
-  EXPECT_EQ(resolved_store_json(again, make_scene(again)), resolved);
-}
-
-TEST(Units, ErrorsGiveTheValueAsWritten) {
-  const auto refuses = [](const std::string& pointer, double value, const std::string& problem) {
-    Json json = with_lengths([](double metres) { return decimal(metres * 1000); });
-    json["units"] = "mm";
-    json[Json::json_pointer(pointer)] = value;
-    expect_input_error([&] { scene_of(json); }, "store.json: ", problem);
-  };
-  refuses("/room/size/0", 2e6, "room.size[0]: is 2000000 mm, which is outside 0.001 to 1000 m");
-  refuses("/room/size/0", 0.5, "is 0.5 mm, which is outside 0.001 to 1000 m");
-  refuses("/fixtures/2/max/0", 2e7, "is at 20000000 mm; it must be within 10 km of the origin");
-  refuses("/transceiver_types/disc/radius", 0.05, "is 0.05 mm, which is outside 0.0001 to 10 m");
-  refuses("/label_types/deep/size/0", 10001, "is 10001 mm, which is outside 0.001 to 10 m");
-  refuses("/materials/door/thickness", 1001, "is 1001 mm, which is outside 0 to 1 m");
-  refuses("/fixtures/0/depth", 99, "is 99 mm, below 0.1 m");
-  refuses("/fixtures/1/length", 299, "is 299 mm, below 0.3 m");
-  refuses("/fixtures/0/shelves/2", 1800, "is at 1800 mm, not below the height 1800 mm");
-  refuses("/fixtures/0/shelves/0", 49, "is 49 mm, below 0.05 m; boards must be at 0.05 m or higher");
-  refuses("/label_types/deep/threshold/at_m", 1001, "at_m: is 1001 m, which is outside 0.001 to 1000 m");
-  Json json = sample_store();
-  json["units"] = "km";
-  expect_input_error([&] { scene_of(json); }, "store.json: units: has the unknown value 'km'");
+  EXPECT_EQ(read_text(resolved).unit, LengthUnit::m);
 }
 
 class UnitsCsv : public testing::Test {
  protected:
-  UnitsCsv() {
-    json["units"] = "mm";
-    json["labels"] = {{"csv", "labels.csv"}};
-  }
+  UnitsCsv() { json["labels"] = {{"csv", "labels.csv"}}; }
   Vec3 label(const std::string& header, const std::string& row) {
     folder.write("labels.csv", header + "\n" + row + "\n");
-    const Scene scene = scene_of(json, folder.path());
-    for (const Label& one : scene.labels)
-      if (one.id == "L1") return one.position;
-    return {};
+    return by_id(scene_of(json, folder.path()).labels, "L1").position;
   }
   Vec3 unit(const std::string& header, const std::string& row) {
     folder.write("labels.csv", "id,x,y,z,nx,ny,nz,type\nL1,5000,2000,1000,0,0,1,large\n");
-    const Store store = test::read_text(json.dump(), folder.path());
+    const Store store = read(json, folder.path());
     return make_scene(store_with_units(store, folder.write("units.csv", header + "\n" + row + "\n")))
         .transceivers.at(0)
         .position;
   }
   TempFolder folder;
-  Json json = with_lengths([](double metres) { return decimal(metres * 1000); });
+  Json json = sample_in_mm();
 };
 
 TEST_F(UnitsCsv, FilesFollowTheStore) {
@@ -170,4 +88,4 @@ TEST_F(UnitsCsv, FilesOfAPlanAreInMetres) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

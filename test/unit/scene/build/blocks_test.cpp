@@ -1,17 +1,16 @@
 #include "shelfbeam/scene/build/blocks.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/testing.hpp"
 #include "unit/scene/store/list_store.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 // Checks of thousands of labels beside thousands of blocks at one place would take minutes.
 TEST(Blocks, EndAfterAGivenNumberOfVisits) {
-  const test::Json store = test::store_with(R"([{"type": "box", "id": "B{n}", "at": [1, 1, 0],
-    "size": [0.5, 0.5, 0.5], "rotation_deg": 45, "material": "steel", "repeat": {"count": 1000, "step": 0.00001}}])");
-  const Scene scene = make_scene(test::read(store));
+  const Json store = store_with(R"([{"type": "box", "id": "B{n}", "at": [1, 1, 0],
+    "size": [0.5, 0.5, 0.5], "rotation_deg": 45, "material": "steel", "repeat": {"count": 1000, "step": 0.00001}}])"_json);
+  const Scene scene = scene_of(store);
   const Vec3 within{1, 1.3, 0.2}, beside{0.8, 1.02, 0.2};
   const Blocks all(scene), few(scene, 5000);
   for (int k = 0; k < 20; ++k) {
@@ -25,4 +24,4 @@ TEST(Blocks, EndAfterAGivenNumberOfVisits) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

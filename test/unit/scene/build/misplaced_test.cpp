@@ -1,22 +1,10 @@
-#include <array>
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/sample_store.hpp"
 #include "unit/scene/shelving.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::changed_store;
-using test::expect_input_error;
-using test::Json;
-using test::sample_store;
-using test::scene_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -29,18 +17,13 @@ Json label(const std::string& id, const std::vector<double>& position, const std
 std::vector<std::string> warnings_with(const Json& listed) {
   Json store = sample_store();
   store["labels"].push_back(listed);
-  return sentences(scene_of(store).warnings);
-}
-
-TEST(Misplaced, SampleHasNone) {
-  EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
+  return warnings_of(store);
 }
 
 TEST(Misplaced, DevicesInsideFixtures) {
   Json store = changed_store("/labels/0/position", "[7.2, 0.2, 1]");
   store["transceivers"]["list"][1]["position"] = {7.3, 0.3, 2.9};
-  const Scene scene = scene_of(store);
-  EXPECT_THAT(sentences(scene.warnings),
+  EXPECT_THAT(warnings_of(store),
               ElementsAre(StartsWith("store.json: labels[0]: label 'L1' is inside fixture 'C'"),
                           StartsWith("store.json: transceivers.list[1]: transceiver 'T2' is inside")));
   // Points on the surface and above it are not inside; the hull of a mesh does not count either.
@@ -59,7 +42,7 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
                                           {"radius", 0.3}};
     store["transceivers"]["list"].push_back(
         {{"id", "D"}, {"position", {4, 3, z}}, {"axis", {0.6, 0, -0.8}}, {"type", "wide"}});
-    return sentences(scene_of(store).warnings);
+    return warnings_of(store);
   };
   EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
   EXPECT_THAT(warnings(2.83, 0.15),
@@ -69,12 +52,11 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
 }
 
 TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
-  Json store = test::freezer_store();
-  store["fixtures"].push_back(Json::parse(
-      R"({ "type": "box", "id": "C", "min": [2, 0.5, 0], "max": [2.3, 0.999, 2], "material": "m" })"));
+  Json store = freezer_store();
+  store["fixtures"].push_back(
+      R"({ "type": "box", "id": "C", "min": [2, 0.5, 0], "max": [2.3, 0.999, 2], "material": "m" })"_json);
   store["transceivers"]["list"][0]["position"] = {3, 1, 0.5};
-  const Scene scene = scene_of(store);
-  EXPECT_THAT(sentences(scene.warnings),
+  EXPECT_THAT(warnings_of(store),
               ElementsAre(StartsWith("store.json: fixtures[0]: label 'F-front-1-1' is inside fixture 'C'")));
 }
 
@@ -82,28 +64,28 @@ TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
 TEST(Misplaced, LabelThatLooksAtAFixture) {
   EXPECT_THAT(warnings_with(label("W", {6.99, 0.2, 1}, {1, 0, 0})),
               ElementsAre(StartsWith("store.json: labels[1]: label 'W' faces fixture 'C', 1 cm")));
-  struct Case {
+  const struct {
     std::vector<double> position, normal;
     bool warned;
+  } all[] = {
+      {{6.99, 0.2, 1}, {-1, 0, 0}, false},  // faces away
+      {{6.96, 0.2, 1}, {1, 0, 0}, true},    // 4 cm
+      {{6.94, 0.2, 1}, {1, 0, 0}, false},   // 6 cm
+      {{6.99, 0.2, 1}, {1, 0, 1}, true},    // tilted, 1.4 cm
+      {{6.99, 0.2, 1}, {1, 0, 10}, false},  // nearly along the surface, 10 cm
+      {{6.99, 0.2, 1}, {0, 0, 1}, false},   // along it
+      {{7, 0.2, 1}, {1, 0, 0}, true},       // on the surface, facing inwards
+      {{7, 0.2, 1}, {-1, 0, 0}, false},     // on the surface, facing outwards
+      {{6.99, 0.52, 1}, {1, 0, 0}, false},  // beside it
+      {{7.2, 0.51, 1}, {0, -1, 0}, true},   // from another side
   };
-  for (const auto& [position, normal, warned] : std::vector<Case>{
-           {{6.99, 0.2, 1}, {-1, 0, 0}, false},  // faces away
-           {{6.96, 0.2, 1}, {1, 0, 0}, true},    // 4 cm
-           {{6.94, 0.2, 1}, {1, 0, 0}, false},   // 6 cm
-           {{6.99, 0.2, 1}, {1, 0, 1}, true},    // tilted, 1.4 cm
-           {{6.99, 0.2, 1}, {1, 0, 10}, false},  // nearly along the surface, 10 cm
-           {{6.99, 0.2, 1}, {0, 0, 1}, false},   // along it
-           {{7, 0.2, 1}, {1, 0, 0}, true},       // on the surface, facing inwards
-           {{7, 0.2, 1}, {-1, 0, 0}, false},     // on the surface, facing outwards
-           {{6.99, 0.52, 1}, {1, 0, 0}, false},  // beside it
-           {{7.2, 0.51, 1}, {0, -1, 0}, true},   // from another side
-       })
+  for (const auto& [position, normal, warned] : all)
     EXPECT_EQ(warnings_with(label("W", position, normal)).size(), warned ? 1u : 0u)
         << testing::PrintToString(position) << testing::PrintToString(normal);
 }
 
 TEST(Misplaced, LabelThatLooksIntoItsShelf) {
-  Json store = test::gondola_store();
+  Json store = gondola_store();
   store["transceivers"]["list"][0]["position"] = {2.5, 1.2, 1.79};
   store["transceivers"]["list"][0]["axis"] = {0, -1, 0};
   // The third board of the front has its edge at y = 1 from z = 1.48 to 1.52.
@@ -111,8 +93,7 @@ TEST(Misplaced, LabelThatLooksIntoItsShelf) {
       {"id", "turned"}, {"position", {3, 0.98, 1.5}}, {"normal", {0, 1, 0.1}}, {"type", "l"}};
   for (const double rotation : {0.0, 1e-9}) {
     store["fixtures"][0]["rotation_deg"] = rotation;
-    const Scene scene = scene_of(store);
-    EXPECT_THAT(sentences(scene.warnings),
+    EXPECT_THAT(warnings_of(store),
                 ElementsAre(StartsWith("store.json: labels[0]: label 'turned' faces fixture 'A', 2 cm")));
   }
 }
@@ -120,12 +101,12 @@ TEST(Misplaced, LabelThatLooksIntoItsShelf) {
 TEST(Misplaced, LabelsOfFixturesLookOutwardsWhateverTheirTilt) {
   for (const double tilt : {-89.0, -60.0, -20.0, 0.0, 20.0, 60.0, 89.0})
     for (const double rotation : {0.0, 33.3, 90.0, -77.7})
-      for (Json store : {test::gondola_store(), test::freezer_store()}) {
-        store["fixtures"][0]["labels"]["tilt_deg"] = tilt;
-        store["fixtures"][0]["rotation_deg"] = rotation;
-        store["fixtures"][0]["stocking"] = 1;
-        store["room"] = Json::parse(R"({"size": [20, 20, 4], "floor": "m", "ceiling": "m", "walls": "m"})");
-        store["fixtures"][0]["at"] = {10, 10};
+      for (Json store : {gondola_store(), freezer_store()}) {
+        store["fixtures"][0].merge_patch({{"labels", {{"tilt_deg", tilt}}},
+                                          {"rotation_deg", rotation},
+                                          {"stocking", 1},
+                                          {"at", {10, 10}}});
+        store["room"] = R"({"size": [20, 20, 4], "floor": "m", "ceiling": "m", "walls": "m"})"_json;
         store["labels"][0]["position"] = {1, 1, 1};
         store["transceivers"]["list"][0]["position"] = {1, 1, 3};
         EXPECT_TRUE(scene_of(store).warnings.empty()) << tilt << ' ' << rotation;
@@ -137,8 +118,8 @@ TEST(Misplaced, LabelThatLooksAtAWall) {
               ElementsAre(StartsWith("store.json: labels[1]: label 'W' faces the wall x0, 1 cm")));
   EXPECT_TRUE(warnings_with(label("W", {0.01, 3, 1}, {1, 0, 0})).empty());
   EXPECT_TRUE(warnings_with(label("W", {0, 3, 1}, {1, 0, 0})).empty());
-  EXPECT_NE(warnings_with(label("W", {1, 3, 2.98}, {0, 0, 1})).at(0).find("the ceiling, 2 cm"),
-            std::string::npos);
+  EXPECT_THAT(warnings_with(label("W", {1, 3, 2.98}, {0, 0, 1})),
+              ElementsAre(HasSubstr("the ceiling, 2 cm")));
 }
 
 TEST(Misplaced, ManyOfAKindAreCounted) {
@@ -147,7 +128,7 @@ TEST(Misplaced, ManyOfAKindAreCounted) {
     store["labels"].push_back(label("in " + std::to_string(k), {7.2, 0.2, 1 + k / 100.0}, {-1, 0, 0}));
     store["labels"].push_back(label("at " + std::to_string(k), {6.99, 0.2, 1 + k / 100.0}, {1, 0, 0}));
   }
-  const auto warnings = sentences(scene_of(store).warnings);
+  const auto warnings = warnings_of(store);
   ASSERT_EQ(warnings.size(), 12u);
   EXPECT_NE(warnings[4].find("'in 4'"), std::string::npos);
   EXPECT_EQ(warnings[5], "and 123 more labels inside a fixture");
@@ -167,7 +148,7 @@ TEST(Misplaced, BodiesInsideFixtures) {
     changed["labels"] = {label("W", position, normal)};
     changed["transceivers"]["list"] = {{{"id", "U"}, {"position", unit}, {"type", "wide"}}};
     changed["transceivers"].erase("installed");
-    return sentences(scene_of(changed).warnings);
+    return warnings_of(changed);
   };
   // Upright and 1 cm from the column, and a disc flush with the ceiling, both as near to a side as possible.
   EXPECT_EQ(warnings({6.99, 0.3, 1}, {-1, 0, 0}, {7.2, 0.81, 3}), std::vector<std::string>{});
@@ -176,22 +157,9 @@ TEST(Misplaced, BodiesInsideFixtures) {
                           StartsWith("store.json: transceivers.list[0]: part of transceiver 'U' is inside")));
 }
 
-TEST(Misplaced, BeyondTheRoomSaysWhere) {
-  const std::string unit = "/transceivers/list/1/position";
-  for (const auto& [pointer, value, where] : std::vector<std::array<std::string, 3>>{
-           {unit, "[1, 3, 4.2]", "above the ceiling (4.2 m > 3 m)"},
-           {unit, "[1, 3, -0.5]", "below the floor (-0.5 m < 0 m)"},
-           {unit, "[-1, 3, 1]", "behind the wall x0 (-1 m < 0 m)"},
-           {unit, "[9, 3, 1]", "behind the wall x1 (9 m > 8 m)"},
-           {unit, "[1, -3, 1]", "behind the wall y0 (-3 m < 0 m)"},
-           {"/labels/0/position", "[1, 7, 1]", "behind the wall y1 (7 m > 6 m)"},
-           {"/transceivers/grids/0/z", "3.5", "above the ceiling (3.5 m > 3 m)"}})
-    expect_input_error([&, &p = pointer, &v = value] { scene_of(changed_store(p, v)); }, where);
-}
-
 TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {
-  Json store = test::gondola_store();
-  EXPECT_THAT(sentences(scene_of(store).warnings),
+  Json store = gondola_store();
+  EXPECT_THAT(warnings_of(store),
               ElementsAre(AllOf(StartsWith("store.json: transceivers.list[0]: transceiver 'T' at (0, 0, 3) "),
                                 HasSubstr("from (2, 1, 0) to (5.2, 1.9, 1.8)"))));
   store["transceivers"]["list"][0]["position"] = {3, 1.02, 1.79};
@@ -199,4 +167,4 @@ TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,20 +1,15 @@
 #include "shelfbeam/scene/build/nearest_mount.hpp"
 
-#include <cmath>
-#include <random>
-#include <string>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/polygon.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 // A room of 10 x 6 x 3 m with a lower zone from x = 7, a column, and a rail that rises.
-struct Shop {
-  Store store = parse_store(R"({
+const Json shop_store = R"({
     "room": {"size": [10, 6, 3], "floor": "p", "ceiling": "p", "walls": "p",
              "zones": [{"id": "low", "polygon": [[7, 0], [10, 0], [10, 6], [7, 6]], "height": 2.6}]},
     "materials": {"p": {"type": "lambertian", "reflectance": 0.5}},
@@ -26,17 +21,17 @@ struct Shop {
       "rails": [{"id": "R", "type": "t", "points": [[1, 5, 2.5], [5, 5, 2.9]], "spacing": 1}],
       "list": [{"id": "U", "type": "t", "position": [2, 2, 2.9]},
                {"id": "V", "type": "t", "position": [2, 3, 1.2]},
-               {"id": "F", "type": "t", "position": [4.2, 1.95, 2.0], "axis": [0, -0.8, -0.6]}]}})",
-                            "shop", ".");
-  Scene scene = make_scene(store);
+               {"id": "F", "type": "t", "position": [4.2, 1.95, 2.0], "axis": [0, -0.8, -0.6]}]}})"_json;
 
-  const Transceiver& unit(const std::string& id) const {
-    return *std::find_if(scene.transceivers.begin(), scene.transceivers.end(),
-                         [&](const Transceiver& unit) { return unit.id == id; });
-  }
+struct Shop {
+  explicit Shop(const Json& json = shop_store) : store(read(json)), scene(make_scene(store)) {}
+
+  Store store;
+  Scene scene;
+
   MountPlace nearest(double x, double y) const { return nearest_mount(store, scene, {{x, y}, {}}, 0.2); }
   MountPlace moved(const std::string& id, double x, double y, std::optional<double> z = {}) const {
-    return moved_mount(store, scene, unit(id), {{x, y}, z});
+    return moved_mount(store, scene, by_id(scene.transceivers, id), {{x, y}, z});
   }
 };
 
@@ -61,27 +56,21 @@ TEST(NearestMount, IsARailAFaceOrTheCeiling) {
 
 // Two columns back to back, and a wall in a zone that is lower than the usual height.
 TEST(NearestMount, IsWhereAUnitHasRoom) {
-  Store store = parse_store(R"({
-    "room": {"size": [10, 6, 3], "floor": "p", "ceiling": "p", "walls": "p",
-             "zones": [{"id": "low", "polygon": [[7, 0], [10, 0], [10, 6], [7, 6]], "height": 2.2}]},
-    "materials": {"p": {"type": "lambertian", "reflectance": 0.5}},
-    "label_types": {"l": {"threshold": 1}},
-    "transceiver_types": {"t": {"emission": {"type": "sin2theta", "peak": 1}}},
-    "fixtures": [{"type": "box", "id": "a", "min": [4, 2, 0], "max": [4.4, 2.4, 2.9], "material": "p"},
-                 {"type": "box", "id": "b", "min": [4.4, 2, 0], "max": [4.8, 2.4, 2.9], "material": "p"}],
-    "labels": [{"id": "L", "position": [1, 1, 1], "normal": [0, 1, 0], "type": "l"}],
-    "transceivers": {"list": [{"id": "U", "type": "t", "position": [1, 5.9, 2.97], "axis": [0, -0.3, -1]}]}})",
-                            "shop", ".");
-  const Scene scene = make_scene(store);
-  const auto nearest = [&](double x, double y) { return nearest_mount(store, scene, {{x, y}, {}}, 0.2); };
-  EXPECT_LE(nearest(9.9, 3).position.z, 2.2);
-  EXPECT_EQ(nearest(9.9, 3).on, MountKind::face);
-  const MountPlace between = nearest(4.4, 2.2);
+  Json json = shop_store;
+  json["room"]["zones"][0]["height"] = 2.2;
+  json["fixtures"].push_back(json["fixtures"][0]);
+  json["fixtures"][1].update({{"id", "b"}, {"min", {4.4, 2, 0}}, {"max", {4.8, 2.4, 2.9}}});
+  json["transceivers"] =
+      R"({"list": [{"id": "U", "type": "t", "position": [1, 5.9, 2.97], "axis": [0, -0.3, -1]}]})"_json;
+  const Shop shop(json);
+  EXPECT_LE(shop.nearest(9.9, 3).position.z, 2.2);
+  EXPECT_EQ(shop.nearest(9.9, 3).on, MountKind::face);
+  const MountPlace between = shop.nearest(4.4, 2.2);
   EXPECT_EQ(between.on, MountKind::face);
-  EXPECT_FALSE(contains(scene.fixtures[0].footprint, {between.position.x, between.position.y}));
-  EXPECT_FALSE(contains(scene.fixtures[1].footprint, {between.position.x, between.position.y}));
+  for (const FixtureOutline& fixture : shop.scene.fixtures)
+    EXPECT_FALSE(contains(fixture.footprint, {between.position.x, between.position.y}));
   // A tilted unit that is nearer to the ceiling than to the wall stays below the ceiling.
-  expect_at(moved_mount(store, scene, scene.transceivers[0], {{3, 3}, {}}), {3, 3, 2.97}, MountKind::ceiling);
+  expect_at(shop.moved("U", 3, 3), {3, 3, 2.97}, MountKind::ceiling);
 }
 
 TEST(MovedMount, StaysOnItsSurface) {
@@ -120,4 +109,4 @@ TEST(NearestMount, KeepsAHeightWithoutARoom) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

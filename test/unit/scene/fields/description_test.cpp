@@ -1,10 +1,5 @@
 #include <cstdlib>
-#include <map>
-#include <string>
-#include <utility>
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
@@ -14,13 +9,14 @@
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/drawing.hpp"
 
+#include "support/testing.hpp"
 #include "unit/scene/fields/schema_fields.hpp"
 #include "unit/scene/fields/table_fields.hpp"
 
 // The schema and the tables of the documentation are written from the descriptions of the stored values.
 // SHELFBEAM_UPDATE_SNAPSHOTS=1 writes both files anew.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -46,7 +42,7 @@ Fields::Part fields_of(const Described& value) {
 
 // With the keys of all fixtures.
 Json fixture_schema(const Fixture& type) {
-  Json schema = test::schema_of(fields_of(type));
+  Json schema = schema_of(fields_of(type));
   const auto complete = [&](Json& form) {
     Json properties{{"type", {{"const", type_name(type)}}}, {"id", {{"$ref", "#/$defs/name"}}}};
     properties.update(form["properties"]);
@@ -83,14 +79,12 @@ TEST(Description, SchemaIsUpToDate) {
     alternatives.push_back({{"$ref", "#/$defs/" + name}});
     schema["$defs"][name] = fixture_schema(type);
   }
-  const auto set = [&](const char* name, auto value) {
-    schema["$defs"][name] = test::schema_of(fields_of(value));
-  };
+  const auto set = [&](const char* name, auto value) { schema["$defs"][name] = schema_of(fields_of(value)); };
   Json room{{"description",
              "Walls, floor and ceiling: a box from the origin ('size'), or any outline with a height. "
              "Optional if a "
              "mesh provides them."}};
-  room.update(test::schema_of(fields_of(Room{})));
+  room.update(schema_of(fields_of(Room{})));
   for (Json& form : room["oneOf"])
     for (const char* list : {"zones", "inner_walls", "openings"}) {
       schema["$defs"][list] = form["properties"][list];
@@ -101,7 +95,7 @@ TEST(Description, SchemaIsUpToDate) {
   Json& material = schema["$defs"]["material"];
   material["properties"]["type"]["enum"] = Json::array();
   for (std::size_t k = 0; k < material_types().size(); ++k) {
-    Json form = test::schema_of(fields_of(NamedMaterial{"", material_types()[k], {}}));
+    Json form = schema_of(fields_of(NamedMaterial{"", material_types()[k], {}}));
     material["properties"]["type"]["enum"].push_back(type_name(material_types()[k]));
     Json& written = material["oneOf"][k];
     for (const char* rule : {"allOf", "if", "else", "dependentRequired"})
@@ -133,12 +127,12 @@ TEST(Description, SchemaIsUpToDate) {
   schema["$defs"]["whole_fixture"] = {
       {"required", {"type", "id"}}, {"properties", {{"type", {{"enum", types}}}}}, {"oneOf", alternatives}};
   add_ignore(schema);
-  expect_file(schema_file, test::compact(schema) + "\n");
+  expect_file(schema_file, compact(schema) + "\n");
 }
 
 // Replaces the rows of the first table below a heading.
 void replace_table(std::string& page, const std::string& heading, const Fields::Part& part) {
-  test::TableFields table;
+  TableFields table;
   part(table);
   const std::size_t section = page.find(heading + "\n");
   ASSERT_NE(section, std::string::npos) << heading;
@@ -150,67 +144,61 @@ void replace_table(std::string& page, const std::string& heading, const Fields::
 }
 
 TEST(Description, TablesAreUpToDate) {
-  std::string fixtures = read_file(pages + "fixtures.md");
+  struct Table {
+    std::string page, heading;
+    Fields::Part part;
+  };
+  std::vector<Table> tables{
+      {"room", "# Room", fields_of(Room{})},
+      {"room", "## Ceilings", [](Fields& fields) { Room{}.zone_fields(fields, 0); }},
+      {"room", "## Inner walls", [](Fields& fields) { Room{}.inner_wall_fields(fields, 0); }},
+      {"room", "### Openings",
+       [](Fields& fields) {
+         Room with_wall;
+         with_wall.shape.inner_walls.emplace_back();
+         with_wall.inner_walls.emplace_back();
+         with_wall.opening_fields(fields, 0, 0);
+       }},
+      {"room", "## Openings in outer walls", [](Fields& fields) { Room{}.outer_opening_fields(fields, 0); }},
+      {"room", "### Rows with piers",
+       [](Fields& fields) {
+         OpeningRow row;
+         describe_repeat(row, fields);
+       }},
+      {"label_types", "# Label types", fields_of(LabelType{})},
+      {"transceiver_types", "# Transceiver types", fields_of(TransceiverType{})},
+      {"labels", "## Labels of a fixture", [](Fields& fields) { FixtureLabels{}.fields(fields, true); }},
+      {"labels", "## Labels of articles", fields_of(ArticleLabels{})},
+      {"labels", "### Mounting of labels of articles", fields_of(StyledFixtures{})},
+      {"labels", "### Files of planogram programs", fields_of(SegmentPlace{})},
+      {"labels", "## Other labels", fields_of(Label{})},
+      {"labels", "## Measuring planes", fields_of(MeasuringPlane{})},
+      {"transceivers", "## Grids", fields_of(TransceiverGrid{})},
+      {"transceivers", "## Areas", fields_of(MountArea{})},
+      {"transceivers", "## Rails", fields_of(MountRail{})},
+      {"transceivers", "## Fixtures and walls", fields_of(MountFaces{})},
+      {"transceivers", "## List", fields_of(Transceiver{})},
+      {"transceivers", "## Areas without candidates", fields_of(KeepOut{})},
+      {"variation", "# Variation: a changing shop", fields_of(StoreVariation{})},
+      {"drawing", "# Drawing", fields_of(Drawing{})},
+      {"drawing", "## Lines of known length", fields_of(ScaleLine{})}};
   for (const Fixture& type : fixture_types()) {
-    std::string heading(type_name(type));
-    heading.front() = static_cast<char>(heading.front() - 'a' + 'A');
-    replace_table(fixtures, "## " + heading, fields_of(type));
+    std::string name(type_name(type));
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    tables.push_back({"fixtures", "## " + name, fields_of(type)});
   }
-  expect_file(pages + "fixtures.md", fixtures);
-
-  std::string materials = read_file(pages + "materials.md");
   for (const Material& type : material_types())
-    replace_table(materials, fmt::format("### `{}`", type_name(type)),
-                  fields_of(NamedMaterial{"", type, {}}));
-  expect_file(pages + "materials.md", materials);
-  std::string room = read_file(pages + "room.md");
-  replace_table(room, "# Room", fields_of(Room{}));
-  replace_table(room, "## Ceilings", [](Fields& fields) { Room{}.zone_fields(fields, 0); });
-  replace_table(room, "## Inner walls", [](Fields& fields) { Room{}.inner_wall_fields(fields, 0); });
-  replace_table(room, "### Openings", [](Fields& fields) {
-    Room with_wall;
-    with_wall.shape.inner_walls.emplace_back();
-    with_wall.inner_walls.emplace_back();
-    with_wall.opening_fields(fields, 0, 0);
-  });
-  replace_table(room, "## Openings in outer walls",
-                [](Fields& fields) { Room{}.outer_opening_fields(fields, 0); });
-  replace_table(room, "### Rows with piers", [](Fields& fields) {
-    OpeningRow row;
-    describe_repeat(row, fields);
-  });
-  expect_file(pages + "room.md", room);
-  std::string label_types = read_file(pages + "label_types.md");
-  replace_table(label_types, "# Label types", fields_of(LabelType{}));
-  expect_file(pages + "label_types.md", label_types);
-  std::string transceiver_types = read_file(pages + "transceiver_types.md");
-  replace_table(transceiver_types, "# Transceiver types", fields_of(TransceiverType{}));
-  expect_file(pages + "transceiver_types.md", transceiver_types);
-  std::string labels = read_file(pages + "labels.md");
-  replace_table(labels, "## Labels of a fixture",
-                [](Fields& fields) { FixtureLabels{}.fields(fields, true); });
-  replace_table(labels, "## Labels of articles", fields_of(ArticleLabels{}));
-  replace_table(labels, "### Mounting of labels of articles", fields_of(StyledFixtures{}));
-  replace_table(labels, "### Files of planogram programs", fields_of(SegmentPlace{}));
-  replace_table(labels, "## Other labels", fields_of(Label{}));
-  replace_table(labels, "## Measuring planes", fields_of(MeasuringPlane{}));
-  expect_file(pages + "labels.md", labels);
-  std::string transceivers = read_file(pages + "transceivers.md");
-  replace_table(transceivers, "## Grids", fields_of(TransceiverGrid{}));
-  replace_table(transceivers, "## Areas", fields_of(MountArea{}));
-  replace_table(transceivers, "## Rails", fields_of(MountRail{}));
-  replace_table(transceivers, "## Fixtures and walls", fields_of(MountFaces{}));
-  replace_table(transceivers, "## List", fields_of(Transceiver{}));
-  replace_table(transceivers, "## Areas without candidates", fields_of(KeepOut{}));
-  expect_file(pages + "transceivers.md", transceivers);
-  std::string variation = read_file(pages + "variation.md");
-  replace_table(variation, "# Variation: a changing shop", fields_of(StoreVariation{}));
-  expect_file(pages + "variation.md", variation);
-  std::string drawing = read_file(pages + "drawing.md");
-  replace_table(drawing, "# Drawing", fields_of(Drawing{}));
-  replace_table(drawing, "## Lines of known length", fields_of(ScaleLine{}));
-  expect_file(pages + "drawing.md", drawing);
+    tables.push_back(
+        {"materials", fmt::format("### `{}`", type_name(type)), fields_of(NamedMaterial{"", type, {}})});
+  std::map<std::string, std::string> texts;
+  for (const auto& [page, heading, part] : tables) {
+    const std::string file = pages + page + ".md";
+    const auto [text, is_new] = texts.try_emplace(file);
+    if (is_new) text->second = read_file(file);
+    replace_table(text->second, heading, part);
+  }
+  for (const auto& [file, text] : texts) expect_file(file, text);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,14 +1,6 @@
 #include "shelfbeam/scene/glb/scene_glb.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
+#include "support/testing.hpp"
 #include "unit/scene/glb/glb_reader.hpp"
 #include "unit/scene/mesh_files.hpp"
 #include "unit/scene/shelving.hpp"
@@ -16,17 +8,14 @@
 // Positions are 32-bit numbers. Those of the sample are below 8 m, so they are exact to 5e-7 m. The tolerance
 // is that of 32-bit vertices that were also turned by a quaternion.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::GlbNode;
-using test::Json;
 
 constexpr double single = 2e-5;
 
 // The sample with a unit that is tilted and installed (T1), and a tilted label with a size.
 Json store() {
-  Json store = test::sample_store();
+  Json store = sample_store();
   store["labels"].push_back({{"id", "L2"}, {"position", {5, 3, 1}}, {"normal", {1, 0, 1}}, {"type", "deep"}});
   return store;
 }
@@ -52,16 +41,6 @@ double area(const GlbNode& node) {
   return sum;
 }
 
-std::map<std::string, double> areas(const Scene& scene) {
-  std::map<std::string, double> areas;
-  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = scene.mesh.triangles[t];
-    const auto& p = scene.mesh.vertices;
-    areas[scene.materials[scene.mesh.materials[t].value].name] += length(normal({p[a], p[b], p[c]})) / 2;
-  }
-  return areas;
-}
-
 double octahedron_area() {
   const auto pyramid = [](double height) {
     return 4 * 0.05 * std::sqrt(2) * std::hypot(height, 0.05 / std::sqrt(2)) / 2;
@@ -70,22 +49,22 @@ double octahedron_area() {
 }
 
 TEST(SceneGlb, IsAValidFile) {
-  const Scene scene = test::scene_of(store());
+  const Scene scene = scene_of(store());
   const std::string bytes = scene_glb(scene);
-  EXPECT_EQ(test::problem_of(bytes), "");
+  EXPECT_EQ(problem_of(bytes), "");
   EXPECT_TRUE(bytes == scene_glb(scene));
-  const Json json = test::read_glb(bytes).json;
-  EXPECT_EQ(json["asset"], Json::parse(R"({"version": "2.0", "generator": "shelfbeam"})"));
+  const Json json = read_glb(bytes).json;
+  EXPECT_EQ(json["asset"], R"({"version": "2.0", "generator": "shelfbeam"})"_json);
   EXPECT_EQ(json["nodes"][0]["name"], "Sample");
 }
 
 // The check above must find errors.
 TEST(SceneGlb, CheckRejectsWrongFiles) {
-  const std::string bytes = scene_glb(test::scene_of(store()));
-  EXPECT_EQ(test::problem_of(bytes.substr(0, bytes.size() - 4)), "length");
-  const auto positions = bytes.size() - test::read_glb(bytes).binary.size();
+  const std::string bytes = scene_glb(scene_of(store()));
+  EXPECT_EQ(problem_of(bytes.substr(0, bytes.size() - 4)), "length");
+  const auto positions = bytes.size() - read_glb(bytes).binary.size();
   const auto changed = [&](std::size_t at, const auto& value) {
-    return test::problem_of(std::string(bytes).replace(at, 4, test::bytes_of(value)));
+    return problem_of(std::string(bytes).replace(at, 4, bytes_of(value)));
   };
   EXPECT_EQ(changed(positions, 1000.0F), "bounds");
   EXPECT_EQ(changed(bytes.size() - 4, std::uint32_t{1'000'000}), "index");
@@ -93,38 +72,38 @@ TEST(SceneGlb, CheckRejectsWrongFiles) {
 }
 
 TEST(SceneGlb, HasTheTrianglesOfTheScene) {
-  const Scene scene = test::scene_of(store());
+  const Scene scene = scene_of(store());
   Json materials;
   for (const NamedMaterial& material : scene.materials) materials[material.name] = material.name;
   materials["label"] = "carton";
   materials["candidate"] = "chrome";
   materials["installed"] = "foil";
-  auto expected = areas(scene);
+  auto expected = areas_of(scene);
   for (const char* unused : {"carton", "chrome", "foil"}) ASSERT_EQ(expected.count(unused), 0u);
   const std::size_t points = scene.labels.size() - 1, candidates = scene.transceivers.size() - 1;
   expected["carton"] = 0.0015 * static_cast<double>(points) + 0.02;
   expected["chrome"] = octahedron_area() * static_cast<double>(candidates);
   expected["foil"] = octahedron_area();
 
-  const Scene read = test::read_mesh("store.glb", scene_glb(scene), materials);
+  const Scene read = read_mesh("store.glb", scene_glb(scene), materials);
   EXPECT_EQ(read.mesh.triangles.size(),
             scene.mesh.triangles.size() + 2 * scene.labels.size() + 8 * scene.transceivers.size());
   EXPECT_LT(length(read.lower - scene.lower), single);
   EXPECT_LT(length(read.upper - scene.upper), single);
-  const auto found = areas(read);
+  const auto found = areas_of(read);
   EXPECT_EQ(found.size(), expected.size());
   for (const auto& [material, area] : expected) EXPECT_NEAR(found.at(material), area, 1e-4) << material;
 }
 
 // y is up in the file: without the rotation of the root node, the shop would lie on its side.
 TEST(SceneGlb, HasYUp) {
-  const Scene scene = test::scene_of(store());
-  const test::TempFolder folder;
+  const Scene scene = scene_of(store());
+  const TempFolder folder;
   folder.write("store.glb", scene_glb(scene));
-  Json as_it_is = test::mesh_store("store.glb");
+  Json as_it_is = mesh_store("store.glb");
   as_it_is["fixtures"][0]["up"] = "z";
   const Vec3 size = scene.upper - scene.lower;
-  const Scene read = test::scene_of(as_it_is, folder.path());
+  const Scene read = scene_of(as_it_is, folder.path());
   EXPECT_LT(length(read.lower - Vec3{0, 0, -size.y}), single);
   EXPECT_LT(length(read.upper - Vec3{size.x, size.z, 0}), single);
 }
@@ -133,7 +112,7 @@ TEST(SceneGlb, HasOpeningsInTheRoom) {
   const auto room_area = [](const char* openings) {
     Json with = store();
     with["room"]["openings"] = Json::parse(openings);
-    return area(test::nodes_of(scene_glb(test::scene_of(with))).at("room"));
+    return area(nodes_of(scene_glb(scene_of(with))).at("room"));
   };
   const double closed = room_area("[]");
   EXPECT_NEAR(room_area(R"([{"wall": 0, "at": 1, "width": 1.5, "top": 2}])"), closed - 3, 1e-4) << "a hole";
@@ -142,8 +121,8 @@ TEST(SceneGlb, HasOpeningsInTheRoom) {
 }
 
 TEST(SceneGlb, HasANodePerFixture) {
-  const Scene scene = test::scene_of(store());
-  const auto nodes = test::nodes_of(scene_glb(scene));
+  const Scene scene = scene_of(store());
+  const auto nodes = nodes_of(scene_glb(scene));
   EXPECT_EQ(names(nodes), (std::set<std::string>{"A", "C", "F", "M", "candidates", "ceiling", "installed",
                                                  "labels", "room"}));
   EXPECT_NEAR(area(nodes.at("C")), 2 * 0.25 + 4 * 0.5 * 3, 1e-5);
@@ -161,8 +140,8 @@ TEST(SceneGlb, HasANodePerFixture) {
 
 // The column C reaches the ceiling, but stays whole.
 TEST(SceneGlb, HasTheCeilingApart) {
-  Scene scene = test::scene_of(store());
-  const auto nodes = test::nodes_of(scene_glb(scene));
+  Scene scene = scene_of(store());
+  const auto nodes = nodes_of(scene_glb(scene));
   EXPECT_EQ(nodes.at("ceiling").size(), 2u);
   EXPECT_NEAR(area(nodes.at("ceiling")), 8 * 6, 1e-5);
   for (const auto& triangle : nodes.at("ceiling"))
@@ -171,20 +150,20 @@ TEST(SceneGlb, HasTheCeilingApart) {
   EXPECT_NEAR(area(nodes.at("room")), 8 * 6 + 2 * (8 + 6) * 3, 1e-5);
 
   scene.mesh.vertices[6].z = scene.mesh.vertices[7].z = 2;  // the side at y = 6
-  const auto sloped = test::nodes_of(scene_glb(scene));
+  const auto sloped = nodes_of(scene_glb(scene));
   EXPECT_EQ(sloped.at("room").size(), 10u);
   EXPECT_NEAR(area(sloped.at("ceiling")), 8 * std::hypot(6, 1), 1e-5);
 }
 
 TEST(SceneGlb, HasNoNodesWithoutContent) {
-  const std::string bytes = scene_glb(test::scene_of(test::gondola_store()));
-  EXPECT_EQ(names(test::nodes_of(bytes)), (std::set<std::string>{"A", "labels", "candidates"}));
-  EXPECT_EQ(test::read_glb(bytes).json["nodes"][0]["name"], "store");
+  const std::string bytes = scene_glb(scene_of(gondola_store()));
+  EXPECT_EQ(names(nodes_of(bytes)), (std::set<std::string>{"A", "labels", "candidates"}));
+  EXPECT_EQ(read_glb(bytes).json["nodes"][0]["name"], "store");
 }
 
 TEST(SceneGlb, ShowsLabelsFromTheirFront) {
-  const Scene scene = test::scene_of(store());
-  const GlbNode labels = test::nodes_of(scene_glb(scene)).at("labels");
+  const Scene scene = scene_of(store());
+  const GlbNode labels = nodes_of(scene_glb(scene)).at("labels");
   ASSERT_EQ(labels.size(), 2 * scene.labels.size());
   for (std::size_t k = 0; k < scene.labels.size(); ++k) {
     const Label& label = scene.labels[k];
@@ -202,8 +181,8 @@ TEST(SceneGlb, ShowsLabelsFromTheirFront) {
 }
 
 TEST(SceneGlb, PointsUnitsAlongTheirAxes) {
-  const Scene scene = test::scene_of(store());
-  const auto nodes = test::nodes_of(scene_glb(scene));
+  const Scene scene = scene_of(store());
+  const auto nodes = nodes_of(scene_glb(scene));
   EXPECT_EQ(nodes.at("candidates").size(), 8 * (scene.transceivers.size() - 1));
   const GlbNode& unit = nodes.at("installed");
   ASSERT_EQ(unit.size(), 8u);
@@ -217,7 +196,7 @@ TEST(SceneGlb, PointsUnitsAlongTheirAxes) {
 }
 
 TEST(SceneGlb, ShowsMaterialsByTheirReflectance) {
-  const Json json = test::read_glb(scene_glb(test::scene_of(store()))).json;
+  const Json json = read_glb(scene_glb(scene_of(store()))).json;
   std::map<std::string, Json> materials;
   for (const Json& material : json["materials"]) {
     EXPECT_EQ(material["doubleSided"], true);
@@ -241,19 +220,19 @@ TEST(SceneGlb, ShowsMaterialsByTheirReflectance) {
 
 // An inner wall has its own surfaces; a zone has its ceiling and the faces around it.
 TEST(SceneGlb, HasInnerWallsAndZones) {
-  Json with_wall = test::sample_store();
+  Json with_wall = sample_store();
   with_wall["room"]["zones"] =
-      Json::parse(R"([{"id": "low", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "height": 2.5}])");
+      R"([{"id": "low", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "height": 2.5}])"_json;
   with_wall["room"]["inner_walls"] =
-      Json::parse(R"([{"id": "W", "from": [7, 0], "to": [7, 1], "thickness": 0.2, "height": 1}])");
-  const Scene scene = test::scene_of(with_wall);
+      R"([{"id": "W", "from": [7, 0], "to": [7, 1], "thickness": 0.2, "height": 1}])"_json;
+  const Scene scene = scene_of(with_wall);
   const std::string bytes = scene_glb(scene);
-  EXPECT_EQ(test::problem_of(bytes), "");
-  const auto nodes = test::nodes_of(bytes);
+  EXPECT_EQ(problem_of(bytes), "");
+  const auto nodes = nodes_of(bytes);
   EXPECT_NEAR(area(nodes.at("W")), 2 * 1 + 0.2 + 0.2, 1e-4) << "two sides, an end and the top";
   const double height = scene.upper.z;
   EXPECT_NEAR(area(nodes.at("ceiling low")), 1 + 2 * (height - 2.5), 1e-4);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

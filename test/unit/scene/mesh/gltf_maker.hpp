@@ -12,8 +12,8 @@ namespace shelfbeam::test {
 class GltfMaker {
  public:
   GltfMaker() {
-    file = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-        "materials":[{"name":"m"}],"accessors":[],"bufferViews":[],"meshes":[{"primitives":[{"material":0}]}]})");
+    file = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "materials":[{"name":"m"}],"accessors":[],"bufferViews":[],"meshes":[{"primitives":[{"material":0}]}]})"_json;
     std::vector<float> positions;
     for (const auto& triangle : tetrahedron())
       for (const Corner& corner : triangle) positions.insert(positions.end(), corner.begin(), corner.end());
@@ -47,7 +47,10 @@ class GltfMaker {
     return file["accessors"].size() - 1;
   }
 
-  std::string text() const {
+  /// The data of the buffer.
+  const std::string& bytes() const { return bytes_; }
+  /// The file; its buffer is in it, or in a file of its own.
+  std::string text(std::string uri = "") const {
     constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string padded = bytes_, base64;
     while (padded.size() % 3 != 0) padded += '\0';
@@ -57,7 +60,8 @@ class GltfMaker {
       for (int shift = 18; shift >= 0; shift -= 6) base64 += digits[group >> shift & 63];
     }
     Json complete = file;
-    complete["buffers"] = {{{"byteLength", bytes_.size()}, {"uri", "data:;base64," + base64}}};
+    if (uri.empty()) uri = "data:;base64," + base64;
+    complete["buffers"] = {{{"byteLength", bytes_.size()}, {"uri", uri}}};
     return complete.dump();
   }
   Scene scene() const { return read_mesh("a.gltf", text()); }

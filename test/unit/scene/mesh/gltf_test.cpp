@@ -1,24 +1,12 @@
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/mesh/gltf_maker.hpp"
 #include "unit/scene/solids.hpp"
 
 // The tetrahedron has the volume 1 and the corners (1, 0, 0), (0, 2, 0) and (0, 0, 3) of glTF, in which y is
 // up. Tolerances are far above the rounding of single precision and far below the effect of each feature.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::GltfMaker;
-using test::Json;
 
 constexpr double rounding = 1e-5;
 
@@ -43,7 +31,7 @@ TEST(Gltf, MirroredNodesKeepTheirOutside) {
     maker.file["nodes"] = {parent, child};
     maker.node(0)["children"] = {1};
     maker.node(1)["mesh"] = 0;
-    return test::volume(maker.scene().mesh);
+    return volume(maker.scene().mesh);
   };
   EXPECT_NEAR(mirrored({{"scale", {-1, 1, 1}}}, Json::object()), 1, rounding);
   EXPECT_NEAR(mirrored({{"scale", {-1, 1, 1}}}, {{"scale", {1, -2, 1}}}), 2, rounding)
@@ -101,7 +89,7 @@ TEST(Gltf, SkinsMoveTheirVertices) {
   inverses[16 + 12] = -10;
   maker.file["skins"][0]["inverseBindMatrices"] = maker.add("MAT4", 16, inverses);
   expect_bounds(maker.scene(), {0, -3, 0}, {1, 0, 2});
-  EXPECT_NEAR(test::volume(maker.scene().mesh), 1, rounding);
+  EXPECT_NEAR(volume(maker.scene().mesh), 1, rounding);
 }
 
 TEST(Gltf, SkinsAreChecked) {
@@ -171,7 +159,7 @@ TEST(Gltf, InstancesAreCopies) {
   EXPECT_EQ(maker.scene().mesh.triangles.size(), 8u);
   expect_bounds(maker.scene(), {0, -8, 0}, {6, 0, 2});
   attributes["SCALE"] = maker.add("VEC3", 3, std::vector<float>{1, 1, 1, -2, 1, 1});
-  EXPECT_NEAR(test::volume(maker.scene().mesh), 2 + 4, rounding) << "the mirrored copy faces outwards, too";
+  EXPECT_NEAR(volume(maker.scene().mesh), 2 + 4, rounding) << "the mirrored copy faces outwards, too";
   // 90 degrees about x in bytes, whose length is not quite 1.
   attributes["ROTATION"] = maker.add("VEC4", 4, std::vector<std::int8_t>{0, 0, 0, 127, 90, 0, 0, 90}, true);
   expect_bounds(maker.scene(), {0, -6, -3}, {5, 0, 2});
@@ -201,7 +189,7 @@ TEST(Gltf, ExtensionsAreAppliedHarmlessOrRefused) {
   const auto with = [](const char* list, const std::string& name) {
     GltfMaker maker;
     maker.file[list] = {name};
-    return [text = maker.text()] { return test::file_warnings(test::read_mesh("a.gltf", text)); };
+    return [text = maker.text()] { return file_warnings(read_mesh("a.gltf", text)); };
   };
   for (const char* known :
        {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility", "KHR_materials_unlit",
@@ -234,7 +222,7 @@ TEST(Gltf, ExtensionsNeedNoDeclaration) {
     object["extensions"]["AGI_articulations"] = Json::object();
     expect_input_error([&] { maker.scene(); }, "uses the unsupported 'AGI_articulations'");
     object["extensions"] = {{"ACME_twist", Json::object()}};
-    EXPECT_EQ(test::file_warnings(maker.scene()).size(), 1u) << place;
+    EXPECT_EQ(file_warnings(maker.scene()).size(), 1u) << place;
   }
 }
 
@@ -255,18 +243,18 @@ TEST(Gltf, TrianglesHaveThreeCorners) {
 // At 5,000 km, single precision has steps of 0.5 m, which doubles of a node do not have.
 TEST(Gltf, SinglePrecisionFarFromTheOriginIsReported) {
   const auto warnings = [](GltfMaker& maker) {
-    const test::TempFolder folder;
+    const TempFolder folder;
     folder.write("a.gltf", maker.text());
-    Json store = test::mesh_store("a.gltf");
+    Json store = mesh_store("a.gltf");
     store["fixtures"][0]["at"] = {-5e6, 0, 0};
-    return test::file_warnings(test::scene_of(store, folder.path()));
+    return file_warnings(scene_of(store, folder.path()));
   };
   GltfMaker node;
   node.node(0)["translation"] = {5e6, 0, 0};
   EXPECT_TRUE(warnings(node).empty());
   GltfMaker vertices;
   std::vector<float> far;
-  for (const auto& triangle : test::tetrahedron())
+  for (const auto& triangle : tetrahedron())
     for (const auto& [x, y, z] : triangle) far.insert(far.end(), {5e6F + x, y, z});
   vertices.primitive()["attributes"]["POSITION"] = vertices.add("VEC3", 3, far);
   ASSERT_EQ(warnings(vertices).size(), 1u);
@@ -275,4 +263,4 @@ TEST(Gltf, SinglePrecisionFarFromTheOriginIsReported) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,20 +1,12 @@
-#include <string>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/mesh_files.hpp"
+#include "unit/scene/same_scene.hpp"
 
 // A tetrahedron of 1 x 2 x 3 m whose corner has the map coordinates (498123.5, 5412345.25, 112). Doubles
 // represent them exactly; single precision has steps of 0.5 m there.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::Json;
 
 const std::string far_block =
     "v 498123.5 5412345.25 112\nv 498124.5 5412345.25 112\nv 498123.5 5412347.25 112\nv 498123.5 5412345.25 "
@@ -22,7 +14,7 @@ const std::string far_block =
     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 Json store_at(const Json& at, const Json& more = Json::object()) {
-  Json store = test::mesh_store("map.obj");
+  Json store = mesh_store("map.obj");
   store["fixtures"][0].update(more);
   store["fixtures"][0]["at"] = at;
   // The values of the sample are in metres.
@@ -33,16 +25,16 @@ Json store_at(const Json& at, const Json& more = Json::object()) {
 }
 
 Scene scene(const Json& store) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   folder.write("map.obj", far_block);
-  return test::scene_of(store, folder.path());
+  return scene_of(store, folder.path());
 }
 
 void expect_at(const Scene& scene, const Vec3& low, const Vec3& size) {
   EXPECT_LT(length(scene.lower - low), 1e-8);
   EXPECT_LT(length(scene.upper - scene.lower - size), 1e-8);
-  EXPECT_NEAR(test::mesh_area(scene), test::tetrahedron_area, 1e-7);
-  EXPECT_TRUE(test::file_warnings(scene).empty());
+  EXPECT_NEAR(mesh_area(scene), tetrahedron_area, 1e-7);
+  EXPECT_TRUE(file_warnings(scene).empty());
 }
 
 TEST(MapCoordinates, AreBroughtBackByAt) {
@@ -60,17 +52,16 @@ TEST(MapCoordinates, MayBeInTheUnitOfTheStore) {
 
 // The resolved store has the mesh near its origin, and gives the same scene.
 TEST(MapCoordinates, AreResolved) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   folder.write("map.obj", far_block);
   const Json store = store_at({-498121, -5412343.75, -111});
-  const Store read = test::read_text(store.dump(), folder.path());
-  const Json resolved = Json::parse(resolved_store_json(read, make_scene(read)));
+  const Json resolved = Json::parse(expect_same_scene(read(store, folder.path())));
   EXPECT_EQ(resolved["fixtures"][0]["at"], Json({2.5, 1.5, 1.0}));
   EXPECT_EQ(resolved["fixtures"][0]["parts"][0]["vertices"][1], Json({0.0, 2.0, 0.0}));
 }
 
 TEST(MapCoordinates, ErrorGivesAnAtThatFits) {
-  const std::string message = test::input_error([] { scene(store_at({0, 0, 0})); });
+  const std::string message = input_error([] { scene(store_at({0, 0, 0})); });
   EXPECT_NE(message.find("store.json: fixtures[0]: "), std::string::npos) << message;
   EXPECT_NE(message.find("map coordinates"), std::string::npos) << message;
   const std::size_t begin = message.find('['), end = message.find(']', message.find("'at'"));
@@ -92,4 +83,4 @@ TEST(MapCoordinates, OtherErrorsKeepTheirMessages) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,18 +1,11 @@
 #include "shelfbeam/scene/mesh/solid_shells.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "support/testing.hpp"
 
 // Solids made of blocks, wound and listed in all ways. The result is compared with the medium on both sides
 // of every triangle, which is known from the blocks, and with the volume of the glass.
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 struct Block {
@@ -236,4 +229,4 @@ TEST(SolidShells, WorkIsBounded) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

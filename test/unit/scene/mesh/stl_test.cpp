@@ -1,18 +1,8 @@
-#include <cstdint>
-#include <string>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/mesh_files.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::mesh_area;
-using test::read_mesh;
 
 const std::string facet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
@@ -85,17 +75,17 @@ TEST(Stl, LinesHaveNoMeaning) {
 std::string binary(std::size_t count, std::size_t facets, std::uint16_t attribute = 0, std::size_t data = 0) {
   std::string bytes = "solid b";
   bytes.resize(80, ' ');
-  bytes += test::bytes_of(static_cast<std::uint32_t>(count));
+  bytes += bytes_of(static_cast<std::uint32_t>(count));
   for (std::size_t k = 0; k < facets; ++k)
-    bytes += test::bytes_of(std::array<float, 12>{0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0}) +
-             test::bytes_of(attribute) + std::string(data, '\x7F');
+    bytes += bytes_of(std::array<float, 12>{0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0}) + bytes_of(attribute) +
+             std::string(data, '\x7F');
   return bytes;
 }
 
 std::vector<std::string> warnings(const std::string& bytes, double area) {
   const Scene scene = read_mesh("a.stl", bytes);
   EXPECT_DOUBLE_EQ(mesh_area(scene), area);
-  return test::file_warnings(scene);
+  return file_warnings(scene);
 }
 
 TEST(Stl, BinaryFacetsMayCarryColoursAndData) {
@@ -123,4 +113,4 @@ TEST(Stl, BinaryCountsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,12 +1,10 @@
 #include "shelfbeam/scene/wall_section.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/polygon.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 double area(const std::vector<Polygon>& loops) {
@@ -52,4 +50,4 @@ TEST(WallSection, JoinsWallsAndEndsAtTheOutline) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

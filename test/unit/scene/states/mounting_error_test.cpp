@@ -1,42 +1,29 @@
 #include "shelfbeam/scene/states/mounting_error.hpp"
 
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/states/draws.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
-#include "unit/scene/sample_store.hpp"
+#include "support/testing.hpp"
+#include "unit/scene/stores.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::Json;
 
 constexpr double sigma = 0.05;  // m
 constexpr int draws = 20'000;
 
 // A room with an oblique wall, a shaft, a lower ceiling, an inner wall and a column.
 Scene hall() {
-  Json store = test::sample_store();
-  store["room"] = Json::parse(R"({"outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]],
-    "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]], "height": 3, "floor": "tile", "ceiling": "white", "walls": "white",
+  Json store = store_of_room(l_shaped_room("tile", ""));
+  store["room"].update(R"({"height": 3,
     "zones": [{"id": "low", "polygon": [[2, 9], [6, 9], [6, 12], [2, 12]], "height": 2.5},
               {"id": "next", "polygon": [[6, 9], [7, 9], [7, 12], [6, 12]], "height": 2.6}],
-    "inner_walls": [{"id": "W", "from": [4, 0], "to": [4, 6], "openings": [{"at": 1, "width": 2, "top": 2.1}]}]})");
-  store["fixtures"] = Json::parse(R"([{"type": "box", "id": "C", "at": [15, 10, 0], "size": [0.4, 0.4, 3],
-    "rotation_deg": 30, "material": "white"}])");
-  store["labels"] =
-      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [0, 1, 0], "type": "small"}])");
-  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
-  return test::scene_of(store);
+    "inner_walls": [{"id": "W", "from": [4, 0], "to": [4, 6], "openings": [{"at": 1, "width": 2, "top": 2.1}]}]})"_json);
+  store["fixtures"] =
+      R"([{"type": "box", "id": "C", "at": [15, 10, 0], "size": [0.4, 0.4, 3], "rotation_deg": 30,
+                           "material": "white"}])"_json;
+  return scene_of(store);
 }
 
 Vec2 deviation(std::uint64_t k) {
@@ -165,4 +152,4 @@ TEST(MountingError, LeavesOpenSpaceAlone) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

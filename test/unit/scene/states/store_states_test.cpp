@@ -1,61 +1,22 @@
 #include "shelfbeam/scene/states/store_states.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
-#include "support/expect_input_error.hpp"
 #include "support/processor_time.hpp"
-#include "unit/scene/sample_store.hpp"
+#include "support/testing.hpp"
+#include "unit/scene/same_scene.hpp"
+#include "unit/scene/stores.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::Json;
-
-// A store with shelves, a cabinet, a counter, people and pallets.
-Json shop() {
-  Json store = test::sample_store();
-  store["room"] = Json::parse(R"({"outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]],
-    "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]], "height": 3, "floor": "tile", "ceiling": "white", "walls": "white",
-    "zones": [{"id": "low", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]], "height": 1.7}],
-    "inner_walls": [{"id": "W", "from": [4, 0], "to": [4, 6], "openings": [{"at": 1, "width": 2, "top": 2.1}]}]})");
-  store["fixtures"] = Json::parse(R"([
-    {"type": "gondola", "id": "A", "at": [6, 2], "length": 3, "depth": 0.9, "height": 1.8, "rotation_deg": 20,
-     "material": "steel", "shelves": [0.4, 0.9, 1.3], "labels": {"type": "small", "count": 2}},
-    {"type": "gondola", "id": "chiller", "at": [1, 12.9], "length": 3, "depth": 0.9, "height": 1.8, "faces": ["front"],
-     "material": "steel", "shelves": [0.4], "doors": "door", "variation": {"stocking": 0.7}},
-    {"type": "freezer", "id": "F", "at": [1, 8], "length": 2, "depth": 0.8, "height": 0.9, "material": "steel"},
-    {"type": "prism", "id": "counter", "polygon": [[10, 10], [13, 10], [13, 13], [12, 11]], "top": 1, "material": "white"}])");
-  store["labels"] = Json::array();
-  store["transceivers"] =
-      Json::parse(R"({"areas": [{"type": "down", "area": "room", "spacing": 3, "below_ceiling": 0.02,
-    "axes": [[0, 0, -1], [0.5, 0, -0.8]]}], "keep_out": [{"min": [0, 0], "max": [3, 3]}], "installed": ["A1-2-3/a1"]})");
-  store["variation"] = Json::parse(R"({"stocking": {"uniform": [0.4, 0.9]}, "correlation": 0.6,
-    "people": [{"area": "room", "number": {"poisson": 4}, "size": [0.5, 0.3, 1.75], "material": "carton"}],
-    "doors": [{"fixtures": "chill*", "open": 0.25}],
-    "objects": [{"id": "pallet", "present": 0.3, "area": [[9, 1], [12, 1], [12, 5], [9, 5]], "size": [1.2, 0.8, 1.4],
-                 "material": "carton"}],
-    "mounting": {"position": 0.05, "tilt_deg": 2}, "unit_power_db": 0.5, "label_sensitivity_db": 1})");
-  return store;
-}
-
 struct Shop {
-  explicit Shop(const Json& json = shop(), std::uint64_t seed = 1)
-      : store(test::read_text(json.dump())), scene(make_scene(store)), states(store, scene, seed) {}
+  explicit Shop(const Json& json = changing_shop(), std::uint64_t seed = 1)
+      : store(read(json)), scene(make_scene(store)), states(store, scene, seed) {}
 
   Store store;
   Scene scene;
@@ -71,7 +32,7 @@ const Shelving& shelves(const Store& state, std::size_t fixture) {
 }
 
 TEST(StoreStates, DependOnSeedAndNumberOnly) {
-  const Shop one, two, other(shop(), 2);
+  const Shop one, two, other(changing_shop(), 2);
   const std::string third = text_of(one.states.state(3));
   EXPECT_EQ(text_of(two.states.state(3)), third);
   EXPECT_NE(text_of(one.states.state(4)), third);
@@ -81,10 +42,8 @@ TEST(StoreStates, DependOnSeedAndNumberOnly) {
 TEST(StoreStates, AreOrdinaryStores) {
   const Shop one;
   for (int k = 0; k < 20; ++k) {
-    const std::string text = text_of(one.states.state(k));
-    const Store again = test::read_text(text);
-    EXPECT_FALSE(again.variation);
-    EXPECT_EQ(text_of(again), text);
+    const std::string text = expect_same_scene(one.states.state(k));
+    EXPECT_FALSE(read_text(text).variation);
   }
 }
 
@@ -152,7 +111,7 @@ TEST(StoreStates, HaveTheGivenDistributions) {
 }
 
 TEST(StoreStates, StandPeopleAndObjectsOnFreeFloor) {
-  Json crowded = shop();
+  Json crowded = changing_shop();
   crowded["variation"]["people"][0]["number"] = 60;
   const Shop one(crowded);
   for (std::uint64_t k = 0; k < 20; ++k) {
@@ -180,7 +139,7 @@ TEST(StoreStates, StandPeopleAndObjectsOnFreeFloor) {
 
 // Boxes that fit nowhere, or not all at once, cost as many draws as any others.
 TEST(StoreStates, OmitPeopleWithoutAPlace) {
-  Json full = shop();
+  Json full = changing_shop();
   const auto people_of = [&](const char* area, double length, double width) {
     full["variation"]["people"][0]["number"] = 100;
     full["variation"]["people"][0]["size"] = {length, width, 1.75};
@@ -190,7 +149,7 @@ TEST(StoreStates, OmitPeopleWithoutAPlace) {
     return std::count_if(state.fixtures.begin(), state.fixtures.end(),
                          [](const auto& fixture) { return id_of(fixture.value).starts_with("person"); });
   };
-  const test::ProcessorTime time;
+  const ProcessorTime time;
   EXPECT_EQ(people_of(R"("room")", 14, 13), 0) << "wider than the room between its walls";
   EXPECT_EQ(people_of(R"("room")", 40, 30), 0) << "larger than the room";
   EXPECT_EQ(people_of(R"("low")", 0.5, 0.3), 0) << "below a ceiling of 1.7 m";
@@ -202,9 +161,9 @@ TEST(StoreStates, OmitPeopleWithoutAPlace) {
 
 // Whether people stand in a zone in front of the first wall.
 bool stand_in_zone(const char* area) {
-  Json divided = shop();
-  divided["room"]["zones"] = Json::parse(R"([{"id": "door", "polygon": [[0, 0], [7, 0], [7, 1.5], [0, 1.5]],
-    "height": 2.9}])");
+  Json divided = changing_shop();
+  divided["room"]["zones"] = R"([{"id": "door", "polygon": [[0, 0], [7, 0], [7, 1.5], [0, 1.5]],
+    "height": 2.9}])"_json;
   divided["variation"]["people"][0]["number"] = 60;
   divided["variation"]["people"][0]["area"] = area;
   const Shop one(divided);
@@ -226,7 +185,7 @@ TEST(StoreStates, KeepPeopleOutOfZonesInTheRoomWithoutThem) {
 
 // Objects behind people who do not fit still have a place.
 TEST(StoreStates, OverfullAreasTakeLimitedTime) {
-  Json full = shop();
+  Json full = changing_shop();
   full["variation"]["people"] = Json::array();
   for (int k = 0; k < 4; ++k)
     full["variation"]["people"].push_back({{"id", "group" + std::to_string(k)},
@@ -237,7 +196,7 @@ TEST(StoreStates, OverfullAreasTakeLimitedTime) {
   full["variation"]["objects"][0]["present"] = 1;
   const Shop one(full);
   const std::string object = full["variation"]["objects"][0]["id"];
-  const test::ProcessorTime time;
+  const ProcessorTime time;
   const Store state = one.states.state(0);
   EXPECT_LT(time.seconds(), 20);
   EXPECT_TRUE(std::any_of(state.fixtures.begin(), state.fixtures.end(),
@@ -246,7 +205,7 @@ TEST(StoreStates, OverfullAreasTakeLimitedTime) {
 
 TEST(StoreStates, AndScenesAndChecksCanBeCancelled) {
   CancelToken token;
-  const std::string text = shop().dump();
+  const std::string text = changing_shop().dump();
   const Store store = parse_store(text, "store.json", {}, {.cancel = &token});
   const Scene scene = make_scene(store);
   const StoreStates states(store, scene, 1);
@@ -301,7 +260,7 @@ TEST(StoreStates, LeaveCausesOutWithoutChangingOthers) {
   const std::vector<Cause> causes = whole.states.causes();
   ASSERT_EQ(causes.size(), cause_keys.size() - 1);
   for (const Cause without : causes) {
-    Json json = shop();
+    Json json = changing_shop();
     json["variation"]["without"] = {key_of(without)};
     const Shop part(json);
     std::vector<Cause> others = causes;
@@ -321,77 +280,43 @@ TEST(StoreStates, LeaveCausesOutWithoutChangingOthers) {
 }
 
 TEST(StoreStates, LeaveOutOnlyChangesOfAVariation) {
-  Json json = shop();
-  Store store = test::read_text(json.dump());
+  Json json = changing_shop();
+  Store store = read(json);
   leave_out(store, {Cause::doors, Cause::stock, Cause::doors});
   EXPECT_EQ(store.variation->without, (std::vector{Cause::stock, Cause::doors}));
   EXPECT_NE(make_scene(store).store_hash, Shop().scene.store_hash);
   json.erase("variation");
-  Store fixed = test::read_text(json.dump());
+  Store fixed = read(json);
   leave_out(fixed, {});
-  EXPECT_NE(test::input_error([&] { leave_out(fixed, {Cause::people}); }).find("has no section 'variation'"),
-            std::string::npos);
-}
-
-TEST(StoreStates, NeedAVariation) {
-  Json store = shop();
-  store.erase("variation");
-  test::expect_input_error([&] { Shop{store}; }, std::string_view("has no section 'variation'"));
+  expect_input_error([&] { leave_out(fixed, {Cause::people}); }, "has no section 'variation'");
+  expect_input_error([&] { Shop{json}; }, "has no section 'variation'");
 }
 
 TEST(StoreStates, VariationIsReadBackToTheBit) {
-  const Shop one;
-  const std::string text = text_of(one.store);
-  EXPECT_EQ(text_of(test::read_text(text)), text);
-  EXPECT_NE(text.find("\"variation\""), std::string::npos);
-}
-
-TEST(Variation, RefusesFaultsWithTheirPlace) {
-  for (const auto& [pointer, value, message] : std::vector<std::array<const char*, 3>>{
-           {"/variation/doors/0/fixtures", R"("A*")",
-            "variation.doors[0].fixtures: matches no fixture with doors"},
-           {"/variation/people/0/number", R"({"poisson": 3, "uniform": [0, 1]})",
-            "variation.people[0].number: must have one of 'poisson' and 'uniform'"},
-           {"/variation/people/0/number", R"({"uniform": [3, 1]})", "has its second number below its first"},
-           {"/variation/people/0/area", R"("bakery")",
-            "is neither 'room' nor 'room without zones' nor the id of a zone"},
-           {"/variation/stocking", R"({"uniform": [0.9, 0.4]})",
-            "variation.stocking.uniform: has its second"},
-           {"/variation/objects/0/id", R"("person")",
-            "variation.objects[0].id: is the duplicate id 'person'"},
-           {"/variation/objects/0/present", "1.5", "variation.objects[0].present: is 1.5"},
-           {"/fixtures/0/variation", R"({"open": 0.1})", "fixtures[0].variation.open: requires doors"},
-           {"/fixtures/0/stocking", R"({"front": [0.4, 0.5]})",
-            "fixtures[0].stocking: does not have 4 numbers for 'front'"}}) {
-    Json store = shop();
-    store[Json::json_pointer(pointer)] = Json::parse(value);
-    test::expect_input_error([&] { test::read_text(store.dump()); }, std::string_view(message));
-  }
+  EXPECT_THAT(expect_same_scene(Shop().store), testing::HasSubstr("\"variation\""));
 }
 
 TEST(Variation, LimitsPeopleAndPatterns) {
-  Json store = shop();
+  Json store = changing_shop();
   Json& people = store["variation"]["people"];
   for (int k = 1; k < 6; ++k) {
     people.push_back(people[0]);
     people.back()["id"] = std::to_string(k);
     people.back()["number"] = {{"uniform", {0, 1000}}};
   }
-  test::expect_input_error(
-      [&] { test::read_text(store.dump()); },
-      std::string_view("variation.people[5].number: makes 5004 people and objects, together "
-                       "with those before; at most 5000 are allowed"));
-  store = shop();
+  expect_input_error([&] { read(store); },
+                     "variation.people[5].number: makes 5004 people and objects, together "
+                     "with those before; at most 5000 are allowed");
+  store = changing_shop();
   store["fixtures"][1]["id"] = "chill" + std::string(100'000, 'a');
   const std::string pattern = "chill*" + std::string(500, 'a') + "*" + std::string(600, 'a') + "b*";
   store["variation"]["doors"][0]["fixtures"] = pattern;
-  const test::ProcessorTime time;
-  test::expect_input_error(
-      [&] { test::read_text(store.dump()); },
-      std::string_view("variation.doors: has patterns with 1,110 characters for the 100,006 "
-                       "characters of the ids of fixtures"));
+  const ProcessorTime time;
+  expect_input_error([&] { read(store); },
+                     "variation.doors: has patterns with 1,110 characters for the 100,006 "
+                     "characters of the ids of fixtures");
   EXPECT_LT(time.seconds(), 2);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,41 +1,17 @@
-#include <map>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/scene/build/decisive_values.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/scene/store/value_marks.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
-#include "unit/scene/sample_store.hpp"
+#include "support/testing.hpp"
+#include "unit/scene/same_scene.hpp"
+#include "unit/scene/stores.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::Json;
-using test::scene_of;
-using test::TempFolder;
 using testing::ElementsAre;
-
-// The shop with which the planner begins, and a gondola of its catalogue.
-Json new_shop() {
-  Json store = Json::parse(starter_store(), nullptr, true, true);
-  const Json catalogue = Json::parse(starter_catalogue(), nullptr, true, true);
-  store.erase("catalogues");
-  store["materials"].update(catalogue["materials"]);
-  store["presets"] = catalogue["presets"];
-  store["fixtures"] =
-      Json::parse(R"([{"preset": "gondola 1.25 m, double, 1.6 m high", "id": "A{n}", "at": [2, 2],
-                                       "repeat": {"count": 12, "step": 1.25}}])");
-  return store;
-}
 
 std::string name_of(const DecisiveValue& value) {
   return value.of.empty() ? std::string(to_text(value.kind))
@@ -56,9 +32,14 @@ ValueState state_of(const std::string& name, const Scene& scene) {
   return ValueState::given;
 }
 
+void use_label_type(Json& store, const char* type) {
+  for (Json& preset : store["presets"])
+    if (preset.contains("labels") && preset["labels"].is_object()) preset["labels"]["type"] = type;
+}
+
 // The store in which a person has confirmed everything.
 Json confirmed(Json store, const std::filesystem::path& folder = {}) {
-  const LengthUnit unit = test::read_text(store.dump(), folder).unit;
+  const LengthUnit unit = read(store, folder).unit;
   for (const DecisiveValue& value : scene_of(store, folder).values)
     store["confirmed"][Json::json_pointer(mark_pointer(value))] = mark_json(value, unit);
   return store;
@@ -76,21 +57,19 @@ TEST(KnownValues, OfANewShopAreAssumedTheMostInfluentialFirst) {
 }
 
 TEST(KnownValues, AreGivenOnceTheyDifferFromTheStarter) {
-  const std::map<std::string, std::pair<const char*, Json>> changes{
-      {"threshold standard", {"/label_types/standard/threshold", 0.02}},
-      {"responsivity standard",
-       {"/label_types/standard/responsivity", {{"type", "cosine_power"}, {"exponent", 2}}}},
-      {"power ceiling", {"/transceiver_types/ceiling/emission/peak", 1.5}},
-      {"height", {"/room/size/2", 3.6}},
-      {"reflectance floor", {"/materials/floor/reflectance", 0.45}},
-      {"reflectance plaster", {"/materials/plaster/reflectance", "plaster"}},
-  };
+  const Json changes = R"([
+    ["threshold standard", "/label_types/standard/threshold", 0.02],
+    ["responsivity standard", "/label_types/standard/responsivity", {"type": "cosine_power", "exponent": 2}],
+    ["power ceiling", "/transceiver_types/ceiling/emission/peak", 1.5],
+    ["height", "/room/size/2", 3.6],
+    ["reflectance floor", "/materials/floor/reflectance", 0.45],
+    ["reflectance plaster", "/materials/plaster/reflectance", "plaster"]])"_json;
   Json all = new_shop();
-  for (const auto& [name, change] : changes) {
+  for (const Json& change : changes) {
     Json store = new_shop();
-    store[Json::json_pointer(change.first)] = all[Json::json_pointer(change.first)] = change.second;
-    const Scene scene = scene_of(store);
-    EXPECT_THAT(with(ValueState::given, scene), ElementsAre(name));
+    const Json::json_pointer pointer(change[1].get<std::string>());
+    store[pointer] = all[pointer] = change[2];
+    EXPECT_THAT(with(ValueState::given, scene_of(store)), ElementsAre(change[0]));
   }
   EXPECT_EQ(with(ValueState::given, scene_of(all)).size(), changes.size());
 }
@@ -102,8 +81,7 @@ TEST(KnownValues, OfCopiesUnderOtherNamesAreAssumed) {
   store["label_types"]["mine"] = store["label_types"]["standard"];
   store["transceiver_types"]["mine"] = store["transceiver_types"]["ceiling"];
   for (Json& area : store["transceivers"]["areas"]) area["type"] = "mine";
-  for (Json& preset : store["presets"])
-    if (preset.contains("labels") && preset["labels"].is_object()) preset["labels"]["type"] = "mine";
+  use_label_type(store, "mine");
   const Scene scene = scene_of(store);
   EXPECT_EQ(state_of("reflectance my floor", scene), ValueState::assumed);
   EXPECT_EQ(state_of("threshold mine", scene), ValueState::assumed);
@@ -132,8 +110,7 @@ TEST(KnownValues, ConfirmationsLapseAndReturn) {
   EXPECT_EQ(state_of("power ceiling", scene_of(changed)), ValueState::confirmed) << "the others stay";
   changed["label_types"].erase("standard");
   changed["label_types"]["other"] = {{"threshold", 0.1}};
-  for (Json& preset : changed["presets"])
-    if (preset.contains("labels") && preset["labels"].is_object()) preset["labels"]["type"] = "other";
+  use_label_type(changed, "other");
   EXPECT_EQ(state_of("threshold other", scene_of(changed)), ValueState::given) << "a mark of a removed type";
 }
 
@@ -177,14 +154,8 @@ TEST(KnownValues, OfTheResolvedStoreAreTheSame) {
   };
   for (const char* source : {"", "datasheet", "example"}) {
     if (*source != 0) store["source"] = source;
-    const Store read = test::read_text(store.dump());
-    const Scene scene = make_scene(read);
-    const std::string text = resolved_store_json(read, scene);
-    const Store again = test::read_text(text);
-    const Scene resolved = make_scene(again);
-    EXPECT_EQ(states(resolved), states(scene)) << source;
-    EXPECT_EQ(resolved.store_hash, scene.store_hash);
-    EXPECT_EQ(resolved_store_json(again, resolved), text);
+    EXPECT_EQ(states(make_scene(read_text(expect_same_scene(read(store))))), states(scene_of(store)))
+        << source;
   }
 }
 
@@ -193,11 +164,9 @@ TEST(KnownValues, OfTypesWithOddNamesAreMarkedByTheirNames) {
     Json store = new_shop();
     store["transceiver_types"][name] = store["transceiver_types"]["ceiling"];
     for (Json& area : store["transceivers"]["areas"]) area["type"] = name;
-    const Scene scene = scene_of(store);
-    const std::string text = resolved_store_json(test::read_text(store.dump()), scene);
+    const std::string text = expect_same_scene(read(store));
     EXPECT_EQ(Json::parse(text)["assumed"]["transceiver_types"].items().begin().key(), name);
-    EXPECT_EQ(state_of(fmt::format("power {}", name), make_scene(test::read_text(text))),
-              ValueState::assumed);
+    EXPECT_EQ(state_of(fmt::format("power {}", name), make_scene(read_text(text))), ValueState::assumed);
   }
 }
 
@@ -220,21 +189,15 @@ TEST(KnownValues, HeightIsConfirmedInTheUnitOfTheFile) {
   Json store = new_shop();
   store["units"] = "cm";
   store["room"]["size"] = {2000, 1500, 412.3};
-  store["fixtures"][0].update({{"at", {200, 200}}, {"repeat", {{"count", 3}, {"step", 125}}}});
+  store["fixtures"] = Json::array();
   for (Json& area : store["transceivers"]["areas"]) area.update({{"spacing", 120}, {"below_ceiling", 2}});
-  for (Json& preset : store["presets"]) {
-    for (const char* key : {"length", "depth", "height"})
-      if (preset.contains(key)) preset[key] = preset[key].get<double>() * 100;
-    if (preset.contains("shelves"))
-      for (Json& shelf : preset["shelves"]) shelf = shelf.get<double>() * 100;
-    if (preset.contains("labels") && preset["labels"].is_object() && preset["labels"].contains("spacing"))
-      preset["labels"]["spacing"] = preset["labels"]["spacing"].get<double>() * 100;
-  }
+  store["labels"] =
+      R"([{"id": "L", "position": [100, 100, 100], "normal": [1, 0, 0], "type": "standard"}])"_json;
   const Json all = confirmed(store);
   EXPECT_NEAR(all["confirmed"]["room"]["height"].get<double>(), 412.3, 1e-9);
   EXPECT_EQ(state_of("height", scene_of(all)), ValueState::confirmed);
-  store["room"] = Json::parse(R"({"outline": [[0, 0], [2000, 0], [2000, 1500], [0, 1500]], "floor": "floor",
-    "height": [[0, 0, 300], [2000, 0, 300], [0, 1500, 400]], "ceiling": "ceiling", "walls": "plaster"})");
+  store["room"] = R"({"outline": [[0, 0], [2000, 0], [2000, 1500], [0, 1500]], "floor": "floor",
+    "height": [[0, 0, 300], [2000, 0, 300], [0, 1500, 400]], "ceiling": "ceiling", "walls": "plaster"})"_json;
   EXPECT_EQ(state_of("height", scene_of(store)), ValueState::given);
   EXPECT_EQ(state_of("height", scene_of(confirmed(store))), ValueState::confirmed);
 }
@@ -242,7 +205,7 @@ TEST(KnownValues, HeightIsConfirmedInTheUnitOfTheFile) {
 TEST(KnownValues, OfTablesAreConfirmedByTheirContent) {
   Json store = new_shop();
   Json& emission = store["transceiver_types"]["ceiling"]["emission"];
-  emission = {{"type", "table"}, {"theta_deg", Json::array()}, {"intensity", Json::array()}};
+  emission = {{"type", "table"}};
   for (int k = 0; k <= 90; ++k) {
     emission["theta_deg"].push_back(k);
     emission["intensity"].push_back(1 + 0.001 * k);
@@ -288,11 +251,11 @@ class Products : public testing::Test {
     store_["catalogues"] = {"vendor.json"};
     store_["label_types"] = {{"standard", {{"product", "ESL 29"}, {"safety_factor", 1.25}}}};
     store_["transceiver_types"] = {{"ceiling", {{"product", "CT 3"}}}};
-    catalogue_ = Json::parse(R"({
+    catalogue_ = R"({
       "label_types": { "ESL 29": { "threshold": 0.012, "source": "datasheet", "order_number": "E-29", "price": 7.5,
                                    "responsivity": { "type": "cosine_power", "exponent": 1.5 } } },
       "transceiver_types": { "CT 3": { "emission": { "type": "lambertian", "flux": 2 }, "cost": 90, "radius": 0.05,
-                                       "source": "assumption", "order_number": "CT-3" } } })");
+                                       "source": "assumption", "order_number": "CT-3" } } })"_json;
   }
   Scene scene() const {
     folder_.write("vendor.json", catalogue_.dump());
@@ -340,47 +303,9 @@ TEST_F(Products, SayHowWellTheirValuesAreKnown) {
 
 TEST_F(Products, CanBeUsedWithoutATypeOfTheStore) {
   store_["label_types"].erase("standard");
-  for (Json& preset : store_["presets"])
-    if (preset.contains("labels") && preset["labels"].is_object()) preset["labels"]["type"] = "ESL 29";
+  use_label_type(store_, "ESL 29");
   EXPECT_EQ(state_of("threshold ESL 29", scene()), ValueState::given);
 }
 
-TEST_F(Products, ThatAreWrongAreRefused) {
-  const auto expect_refused = [&](const auto&... parts) {
-    test::expect_input_error([&] { scene(); }, parts...);
-  };
-  store_["label_types"]["standard"]["product"] = "ESL 30";
-  expect_refused("store.json: label_types.standard.product", "names the unknown product 'ESL 30'",
-                 "'ESL 29'");
-  store_["label_types"]["standard"]["product"] = "ESL 29";
-  catalogue_["label_types"]["ESL 29"]["threshold"] = -1;
-  expect_refused("vendor.json: label_types.ESL 29.threshold");
-  catalogue_["label_types"]["ESL 29"]["threshold"] = 0.01;
-  catalogue_["label_types"]["ESL 29"]["product"] = "other";
-  expect_refused("vendor.json", "product");
-  store_["catalogues"] = Json::array();
-  store_["transceiver_types"]["ceiling"] = {{"emission", {{"type", "lambertian"}, {"flux", 2}}}};
-  expect_refused("label_types.standard.product", "define it in 'label_types' of a catalogue");
-}
-
-TEST(Marks, ThatAreWrongAreRefused) {
-  const auto expect_refused = [](const char* section, const Json& marks, const char* where) {
-    Json store = new_shop();
-    store[section] = marks;
-    test::expect_input_error([&] { scene_of(store); }, fmt::format("store.json: {}", where));
-  };
-  expect_refused("confirmed", {{"label_type", Json::object()}}, "confirmed");
-  expect_refused("confirmed", {{"label_types", {{"standard", {{"size", 1}}}}}},
-                 "confirmed.label_types.standard");
-  expect_refused("assumed", {{"label_types", {{"standard", {{"threshold", -1}}}}}},
-                 "assumed.label_types.standard.threshold");
-  expect_refused("confirmed", {{"materials", {{"floor", {{"reflectance", "plaster"}}}}}},
-                 "confirmed.materials.floor.reflectance");
-  expect_refused("confirmed", {{"transceiver_types", {{"ceiling", {{"emission", 4.2}}}}}},
-                 "confirmed.transceiver_types.ceiling.emission");
-  expect_refused("confirmed", {{"room", {{"height", 0}}}}, "confirmed.room.height");
-  expect_refused("source", "guess", "source");
-}
-
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,34 +1,26 @@
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/label/description_column.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/scene/store/list_store.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::Json;
-using test::read;
-using test::store_with;
-using test::TempFolder;
-
-constexpr const char* two_gondolas =
-    R"([{"type": "gondola", "id": "A", "at": [2, 5], "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4, 0.9], "labels": {"type": "small", "spacing": 1}},
-    {"type": "gondola", "id": "B", "at": [5, 5], "rotation_deg": 30, "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4, 0.9], "labels": {"type": "small", "positions": [0, 3], "hook": 0.2}},
-    {"type": "freezer", "id": "F", "at": [5, 9], "rotation_deg": 90, "length": 2, "depth": 0.8, "height": 0.9,
-    "material": "steel", "labels": {"type": "small", "count": 2, "on_top": true,
-                                    "faces": ["front", "back", "left", "right"]}}])";
+// Two gondolas, the second one turned, and a freezer.
+Json shelving_store() {
+  const Json both{{"length", 3}, {"faces", nullptr}};
+  Json store = store_with({shelves({{"id", "A"}, {"at", {2, 5}}}), shelves({{"id", "B"}, {"at", {5, 5}}}),
+                           R"({"type": "freezer", "id": "F", "at": [5, 9], "rotation_deg": 90, "length": 2,
+    "depth": 0.8, "height": 0.9, "material": "steel", "labels": {"type": "small", "count": 2, "on_top": true,
+                                                                  "faces": ["front", "back", "left", "right"]}})"_json});
+  for (std::size_t k : {0, 1}) store["fixtures"][k].merge_patch(both);
+  store["fixtures"][0]["labels"]["spacing"] = 1;
+  store["fixtures"][1].update(
+      R"({"rotation_deg": 30, "labels": {"type": "small", "positions": [0, 3], "hook": 0.2}})"_json);
+  store["labels"] = Json::array();
+  return store;
+}
 
 Scene resolved_scene(const Json& store, const std::filesystem::path& folder) {
   const Store given = read(store, folder);
@@ -38,32 +30,22 @@ Scene resolved_scene(const Json& store, const std::filesystem::path& folder) {
 void expect_places(const Scene& scene, const Scene& expected) {
   ASSERT_EQ(scene.labels.size(), expected.labels.size());
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    const LabelPlace &place = scene.labels[i].place, &known = expected.labels[i].place;
-    SCOPED_TRACE(expected.labels[i].id);
-    EXPECT_EQ(place.fixture, known.fixture);
-    EXPECT_EQ(place.wall, known.wall);
-    EXPECT_EQ(place.face, known.face);
-    EXPECT_EQ(place.on_top, known.on_top);
-    EXPECT_EQ(place.board, known.board);
-    EXPECT_NEAR(place.along, known.along, 1e-9);
+    expect_place(scene.labels[i], expected.labels[i].place);
     EXPECT_EQ(scene.labels[i].description, expected.labels[i].description);
   }
 }
 
 TEST(LabelPlace, OfGeneratedLabelsIsThatOfTheStore) {
   const TempFolder folder;
-  Json store = store_with(two_gondolas);
-  store["labels"] = Json::array();
-  const Scene scene = make_scene(read(store));
+  const Json store = shelving_store();
+  const Scene scene = scene_of(store);
   ASSERT_EQ(scene.labels.size(), 12U + 8U + 8U);
   EXPECT_EQ(scene.labels[9].id, "A-back-2-1");
-  EXPECT_EQ(scene.labels[9].place,
-            (LabelPlace{.fixture = "A", .face = Face::back, .board = 2, .along = 0.5}));
-  EXPECT_EQ(scene.labels[12].place,
-            (LabelPlace{.fixture = "B", .face = Face::front, .board = 1, .along = 0}));
+  expect_place(scene.labels[9], {.fixture = "A", .face = Face::back, .board = 2, .along = 0.5});
+  expect_place(scene.labels[12], {.fixture = "B", .face = Face::front, .board = 1, .along = 0});
   EXPECT_EQ(scene.labels[26].id, "F-right-1-1");
-  EXPECT_EQ(scene.labels[26].place,
-            (LabelPlace{.fixture = "F", .face = Face::right, .on_top = true, .board = 1, .along = 0.2}));
+  expect_place(scene.labels[26],
+               {.fixture = "F", .face = Face::right, .on_top = true, .board = 1, .along = 0.2});
   expect_places(resolved_scene(store, folder.path()), scene);
 }
 
@@ -76,7 +58,7 @@ TEST(LabelPlace, OfListedLabelsFollowsFromTheirPositions) {
        {"id": "card", "position": [0.6, 0.4, 0.9], "normal": [0, -1, 0.5], "type": "small"},
        {"id": "edge", "position": [0.3, -0.01, 0.7], "normal": [0, -1, 0], "type": "small"}]},
     {"type": "box", "id": "beam", "min": [2, 4, 2.8], "max": [5, 7, 2.95], "material": "steel"},
-    {"type": "cylinder", "id": "column", "at": [9, 9], "radius": 0.3, "top": 3, "material": "steel"}])");
+    {"type": "cylinder", "id": "column", "at": [9, 9], "radius": 0.3, "top": 3, "material": "steel"}])"_json);
   const auto add = [&](const char* id, const Vec3& at, const Vec3& normal) {
     store["labels"].push_back({{"id", id},
                                {"position", {at.x, at.y, at.z}},
@@ -89,16 +71,10 @@ TEST(LabelPlace, OfListedLabelsFollowsFromTheirPositions) {
   add("on the column", {9, 8.65, 1.5}, {0, -1, 0});
   add("at the wall", {4, 0.02, 1.5}, {0, 1, 0});
   add("in the air", {8, 3, 2}, {0, -1, 0});
-  const Scene scene = make_scene(read(store));
+  const Scene scene = scene_of(store);
   const auto expect = [&](std::size_t k, const char* id, const LabelPlace& known) {
-    const LabelPlace& place = scene.labels[k].place;
     EXPECT_EQ(scene.labels[k].id, id);
-    EXPECT_EQ(place.fixture, known.fixture) << id;
-    EXPECT_EQ(place.wall, known.wall) << id;
-    EXPECT_EQ(place.face, known.face) << id;
-    EXPECT_EQ(place.on_top, known.on_top) << id;
-    EXPECT_EQ(place.board, known.board) << id;
-    EXPECT_NEAR(place.along, known.along, 1e-9) << id;
+    expect_place(scene.labels[k], known);
   };
   expect(0, "table-card", {.fixture = "table", .face = Face::front, .on_top = true, .along = 0.6});
   expect(1, "table-edge", {.fixture = "table", .face = Face::front, .along = 0.3});
@@ -115,23 +91,21 @@ TEST(LabelPlace, OfListedLabelsFollowsFromTheirPositions) {
 
 TEST(LabelDescription, ComesFromColumnsAndKeysButNotIntoTheHash) {
   const TempFolder folder;
-  Json store = store_with(two_gondolas);
+  Json store = shelving_store();
   store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
   const auto labels = [&](const std::string& header, const std::string& first) {
     folder.write("p.csv", "article,fixture,face,level,x" + header + "\n1,A,front,2,1," + first +
                               "\n2,A,front,2,2,,\n");
-    return make_scene(read(store, folder.path()));
+    return scene_of(store, folder.path());
   };
   const Scene plain = labels(",facings,colour", "3,red");
   const std::size_t first = plain.labels.size() - 2;
   EXPECT_EQ(plain.labels[first].description, "");
-  EXPECT_EQ(plain.labels[first].place,
-            (LabelPlace{.fixture = "A", .face = Face::front, .board = 2, .along = 1}));
-  for (const auto& [header, value] :
-       std::vector<std::pair<const char*, const char*>>{{",description,x2", "Rye bread,7"},
-                                                        {",Name,description", "no,Rye bread"},
-                                                        {",ARTICLE_NAME,x2", "\" Rye\n\tbread \",7"},
-                                                        {",Product_Name,x2", "Rye bread,7"}}) {
+  expect_place(plain.labels[first], {.fixture = "A", .face = Face::front, .board = 2, .along = 1});
+  for (const auto& [header, value] : {std::pair{",description,x2", "Rye bread,7"},
+                                      {",Name,description", "no,Rye bread"},
+                                      {",ARTICLE_NAME,x2", "\" Rye\n\tbread \",7"},
+                                      {",Product_Name,x2", "Rye bread,7"}}) {
     const Scene scene = labels(header, value);
     EXPECT_EQ(scene.labels[first].description, "Rye bread") << header;
     EXPECT_EQ(scene.labels[first + 1].description, "") << header;
@@ -145,18 +119,15 @@ TEST(LabelDescription, ComesFromColumnsAndKeysButNotIntoTheHash) {
   std::string other = text;
   other.replace(other.find("\"id\": \"2\""), 9, "\"id\": \"3\"");
   EXPECT_NE(hash_of_resolved(other), plain.store_hash);
-  store["labels"] = Json::array({{{"id", "poster"},
-                                  {"description", "Offers"},
-                                  {"position", {1, 1, 1}},
-                                  {"normal", {0, 1, 0}},
-                                  {"type", "small"}}});
-  EXPECT_EQ(make_scene(read(store, folder.path())).labels[first - 1].description, "Offers");
+  store["labels"] = R"([{"id": "poster", "description": "Offers", "position": [1, 1, 1], "normal": [0, 1, 0],
+                         "type": "small"}])"_json;
+  EXPECT_EQ(scene_of(store, folder.path()).labels[first].description, "Offers");
   store["labels"] = {{"csv", "labels.csv"}};
   folder.write("labels.csv",
                "id,x,y,z,nx,ny,nz,type,product\nposter,1,1,1,0,1,0,small,Offers\nstand,1,1,2,0,1,0,small\n");
-  const Scene listed = make_scene(read(store, folder.path()));
-  EXPECT_EQ(listed.labels[first - 1].description, "Offers");
-  EXPECT_EQ(listed.labels[first].description, "");
+  const Scene listed = scene_of(store, folder.path());
+  EXPECT_EQ(listed.labels[first].description, "Offers");
+  EXPECT_EQ(listed.labels[first + 1].description, "");
 }
 
 TEST(LabelDescription, IsOneLineOfLimitedLength) {
@@ -169,4 +140,4 @@ TEST(LabelDescription, IsOneLineOfLimitedLength) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

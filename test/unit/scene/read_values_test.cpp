@@ -1,13 +1,29 @@
-#include <cmath>
-#include <random>
-
-#include <gtest/gtest.h>
-
-#include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 
-namespace shelfbeam {
+#include "shelfbeam/math/warp.hpp"
+
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
+
+TEST(Direction, TakesAnyFiniteVectorButZero) {
+  const Vec3 given{-3, 5, 0.25}, usual = unit_direction(given, "axis");
+  for (int exponent = -1060; exponent <= 1020; exponent += 20) {
+    const double scale = std::ldexp(1.0, exponent);
+    EXPECT_EQ(unit_direction(given * scale, "axis"), usual) << exponent;
+  }
+  EXPECT_FALSE(is_finite(normalized(given * 1e-170))) << "the control";
+  const double largest = std::numeric_limits<double>::max(),
+               least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(unit_direction({0, 0, -largest}, "axis"), (Vec3{0, 0, -1}));
+  EXPECT_EQ(unit_direction({least, 0, 0}, "axis"), (Vec3{1, 0, 0}));
+  const Vec3 unit{0.6, 0, 0.8};
+  EXPECT_EQ(unit_direction(unit, "axis"), unit);
+  expect_input_error([] { unit_direction({0, -0.0, 0}, "axis"); }, "axis", "zero vector");
+  for (const double value : {HUGE_VAL, -HUGE_VAL, std::nan("")})
+    expect_input_error([=] { unit_direction({1, value, 0}, "axis"); }, "axis", "not finite");
+}
 
 // Exact, without tolerance: random angles over the range and over all magnitudes, and their neighbours.
 TEST(Degrees, EveryAngleFromDegreesComesBackToTheBit) {
@@ -34,4 +50,4 @@ TEST(Degrees, RoundAnglesStayRound) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test
