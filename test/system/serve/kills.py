@@ -2,7 +2,6 @@
 
 import copy
 import random
-import subprocess
 import threading
 import time
 
@@ -73,20 +72,19 @@ class KilledServer(ServeTest):
             acknowledged += 1
 
     def kill_while_it_starts(self, seconds):
-        process = subprocess.Popen(command(self.folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = self.start(*command(self.folder))
         time.sleep(seconds)
         process.kill()
-        process.wait()
 
     def kill_often(self, times, seed=1):
         choose = random.Random(seed)
-        self.write()
+        self.write_store()
         model = following = Model(self.document())
         acknowledged = 0
         for round_number in range(times):
             if round_number % 4 == 3:
                 self.kill_while_it_starts(choose.uniform(0, 0.05))
-            server = self.start()
+            server = self.serve()
             tab = self.open(server)
             model = next((known for known in (following, model) if known.matches(tab)), None)
             self.assertIsNotNone(model, f"round {round_number}: {tab.history}")
@@ -94,14 +92,14 @@ class KilledServer(ServeTest):
             server.wait()
             acknowledged += count
             self.assertIn(self.document(), (model.now(), following.now()), "store.json is whole")
-        tab = self.open(self.start())
+        tab = self.open(self.serve())
         self.assertTrue(model.matches(tab) or following.matches(tab))
         last = tab.json
         steps = len(tab.history["steps"])
         position = tab.history["position"]
         self.assertLessEqual(steps, 2000, "the first steps are lost, because a history of more steps is shortened")
         tab.ask("go", position=0)
-        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+        self.assertEqual(self.text("store.json"), STORE)
         tab.ask("go", position=position)
         self.assertEqual(self.document(), last)
         self.assertGreater(acknowledged, times)

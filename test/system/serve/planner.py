@@ -1,18 +1,17 @@
 """A running `shelfbeam serve`, and its pages without a browser (docs/formats/planner.md)."""
 
 import copy
+import http.client
 import json
 import os
 import pathlib
 import re
 import subprocess
-import tempfile
 import unittest
+import urllib.parse
 
+from harness import Process, ProgramTest
 from websocket import TEXT, WebSocket
-
-ROOT = pathlib.Path(__file__).parents[3]
-PROGRAM = os.environ["SHELFBEAM"]
 
 # Comments and layout, so that an edit that does not keep them is noticed.
 STORE = """// A shop of one aisle.
@@ -47,51 +46,28 @@ def plain_store(**changes):
 
 
 class NotStarted(Exception):
-    def __init__(self, code, out, err):
-        super().__init__(f"exit code {code}: {err}")
-        self.code, self.out, self.err = code, out, err
+    def __init__(self, end):
+        super().__init__(str(end))
+        self.end = end
 
 
 def command(folder, *options, browser=False):
-    return [PROGRAM, "serve", folder, *([] if browser else ["--no-browser"]), "--no-light", "--json", *options]
+    return ["serve", folder, *([] if browser else ["--no-browser"]), "--no-light", "--json", *options]
 
 
-class Server:
+class Server(Process):
     """`options` of `serve`, and of subprocess.Popen. `browser`: whether it may open one."""
 
     def __init__(self, folder, *options, browser=False, **process):
-        self.process = subprocess.Popen(
-            command(folder, *options, browser=browser),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            **process,
-        )
-        lines = []
-        while lines[-1:] != ["}\n"]:
-            lines.append(self.process.stdout.readline())
-            if lines[-1]:
-                continue
-            out, err = self.process.communicate()
-            if "has no page" in err and not os.environ.get("CI"):
-                raise unittest.SkipTest(err)
-            raise NotStarted(self.process.returncode, "".join(lines) + out, err)
-        printed = json.loads("".join(lines))
+        super().__init__(*command(folder, *options, browser=browser), stdin=subprocess.DEVNULL, **process)
+        if not self.wait_until(lambda: self.printed().endswith("\n}\n")):
+            end = self.wait()
+            self.close()
+            if "has no page" in end.err and not os.environ.get("CI"):
+                raise unittest.SkipTest(end.err)
+            raise NotStarted(end)
+        printed = json.loads(self.printed())
         self.address, self.addresses = printed["address"], printed["addresses"]
-
-    def kill(self):
-        self.process.kill()
-        self.wait()
-
-    def end(self, signal_number):
-        """Its exit code and messages after a signal."""
-        self.process.send_signal(signal_number)
-        return self.wait()
-
-    def wait(self):
-        _, err = self.process.communicate(timeout=30)
-        return self.process.returncode, err
 
     def status(self, key):
         """A line of /proc/PID/status, in bytes."""
@@ -193,26 +169,33 @@ class Tab:
         return [event for event in self.events if event["event"] == "changed"]
 
 
-class ServeTest(unittest.TestCase):
+class ServeTest(ProgramTest):
+    """A test with a folder `shop`, alone in an empty folder."""
+
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.scratch = pathlib.Path(scratch.name)
+        super().setUp()
+        self.scratch = self.folder
         self.folder = self.scratch / "shop"
         self.folder.mkdir()
         self.store = self.folder / "store.json"
 
-    def write(self, content=STORE):
+    def write_store(self, content=STORE):
         """Replaces store.json, as an editor does."""
-        new = self.folder / "new"
-        new.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
-        new.rename(self.store)
+        self.write("new", content).rename(self.store)
 
-    def start(self, *options, folder=None, **process):
+    def serve(self, *options, folder=None, **process):
         server = Server(folder or self.folder, *options, **process)
-        self.addCleanup(server.wait)
-        self.addCleanup(server.process.kill)
+        self.addCleanup(server.close)
         return server
+
+    def refusal(self, *options, **process):
+        """The only line that a server prints which does not start."""
+        with self.assertRaises(NotStarted) as failure:
+            self.serve(*options, **process)
+        end = failure.exception.end
+        self.assertEqual((end.status, end.out), (2, ""), end.err)
+        self.assertRegex(end.err, r"\Aerror: [^\n]*\n\Z", options)
+        return end.err
 
     def open(self, server, address=None, **fields):
         tab = Tab(address or server.address, **fields)
@@ -220,4 +203,26 @@ class ServeTest(unittest.TestCase):
         return tab
 
     def document(self):
-        return without_comments(self.store.read_text(encoding="utf-8"))
+        return without_comments(self.text("store.json"))
+
+    def connect(self, address, name="", method="GET", **fields):
+        """A connection on which the head of a request is sent; `name` is the rest of the address."""
+        url = urllib.parse.urlsplit(address)
+        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+        self.addCleanup(connection.close)
+        connection.putrequest(method, url.path + name, skip_host=True)
+        for field, value in {"Host": url.netloc, **fields}.items():
+            connection.putheader(field, value)
+        connection.endheaders()
+        return connection
+
+    def reply(self, *arguments, **fields):
+        return self.connect(*arguments, **fields).getresponse()
+
+    def put(self, server, name, body=b"", size=None, **fields):
+        """A connection on which a page has sent a file of this size, or its beginning."""
+        url = urllib.parse.urlsplit(server.address)
+        head = {"Origin": f"http://{url.netloc}", "Content-Length": str(len(body) if size is None else size), **fields}
+        connection = self.connect(server.address, f"files/{name}", "PUT", **head)
+        connection.send(body)
+        return connection

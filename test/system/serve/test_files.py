@@ -1,13 +1,12 @@
 """Stores that name files outside the folder, and names that are markup."""
 
 import gzip
-import http.client
 import json
 import os
 import resource
 import time
-import urllib.parse
 
+from harness import contents
 from planner import ServeTest, plain_store
 
 SECRET = "SECRET-4711"
@@ -60,9 +59,8 @@ class Files(ServeTest):
     def setUp(self):
         super().setUp()
         self.outside = self.scratch / "outside"
-        self.outside.mkdir()
         for name, (content, _) in KINDS.items():
-            (self.outside / name).write_text(content, encoding="utf-8")
+            self.write(self.outside / name, content)
         (self.folder / "up").symlink_to("..")
         (self.folder / "beside").symlink_to("../outside")
         for name in KINDS:
@@ -80,28 +78,16 @@ class Files(ServeTest):
         for kind in ("label", "unit"):
             told.append(json.dumps(tab.ask("device", kind=kind, index=0)).encode())
         told.append(json.dumps(tab.ask("find", text="SECRET")["hits"]).encode())
-        told.append(self.get(server, "scene")[1])
+        told.append(self.reply(server.address, "scene").read())
         return b"\n".join(told)
 
-    def bring(self, server, name, size, content=b""):
-        """A connection on which a page brings a file, or its beginning."""
-        url = urllib.parse.urlsplit(server.address)
-        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
-        self.addCleanup(connection.close)
-        connection.putrequest("PUT", f"{url.path}files/{name}")
-        for field, value in (("Origin", f"http://{url.netloc}"), ("Content-Length", str(size))):
-            connection.putheader(field, value)
-        connection.endheaders()
-        connection.send(content)
-        return connection
-
     def test_uploads_need_no_memory(self):
-        self.write()
-        server = self.start()
+        self.write_store()
+        server = self.serve()
         self.open(server)
         size, part = 40 << 20, b"id,x\n" * (4 << 20)  # half of the file
         before = server.status("VmHWM"), sorted(self.folder.iterdir())
-        connections = [self.bring(server, f"{k}.csv", size, part) for k in range(3)]
+        connections = [self.put(server, f"{k}.csv", part, size) for k in range(3)]
         connections[0].send(part[: size - len(part)])
         reply = connections[0].getresponse()
         self.assertEqual((reply.status, json.loads(reply.read())), (201, {"file": "0.csv"}))
@@ -115,49 +101,39 @@ class Files(ServeTest):
         self.assertFalse([name for name in kept if "shelfbeam-" in name and not name.endswith("locked")], kept)
         # The same content keeps its name, and another gets a number.
         for content, name in ((b"id\n", "1.csv"), (b"id\n", "1.csv"), (b"ib\n", "1-2.csv")):
-            reply = self.bring(server, "1.csv", 3, content).getresponse()
+            reply = self.put(server, "1.csv", content).getresponse()
             self.assertEqual(json.loads(reply.read())["file"], name)
 
     def test_uploads_have_one_limit(self):
-        self.write()
-        server = self.start()
+        self.write_store()
+        server = self.serve()
         self.open(server)
         limit = 200 << 20
         for size, words in ((limit + 1, "209,715,201 bytes; the maximum is 200 MiB"), (0, "is empty")):
-            reply = self.bring(server, "a.csv", size).getresponse()
+            reply = self.put(server, "a.csv", size=size).getresponse()
             self.assertEqual(reply.status, 413)
             self.assertIn(words, reply.read().decode())
-        first = self.bring(server, "a.csv", limit, b"id")
-        refused = self.bring(server, "b.csv", 3).getresponse()
+        first = self.put(server, "a.csv", b"id", limit)
+        refused = self.put(server, "b.csv", size=3).getresponse()
         self.assertEqual(refused.status, 413)
         self.assertIn("200 MiB in total", refused.read().decode())
         first.close()
-        for _ in range(50):  # until the server notices
-            reply = self.bring(server, "b.csv", 3, b"id\n").getresponse()
-            if reply.status == 201:
-                break
-            time.sleep(0.1)
-        self.assertEqual(reply.status, 201)
+
+        def is_kept():
+            return self.put(server, "b.csv", b"id\n").getresponse().status == 201
+
+        self.assertTrue(server.wait_until(is_kept), "after the server has noticed")
 
     def test_an_upload_to_a_full_disk_leaves_nothing(self):
-        self.write()
-        server = self.start()
+        self.write_store()
+        server = self.serve()
         self.open(server)
         resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (1 << 20, resource.RLIM_INFINITY))
-        before = sorted(self.folder.rglob("*"))
-        reply = self.bring(server, "a.csv", 2 << 20, b"x" * (2 << 20)).getresponse()
+        before = contents(self.folder)
+        reply = self.put(server, "a.csv", b"x" * (2 << 20)).getresponse()
         self.assertEqual(reply.status, 422)
         self.assertIn("cannot be kept (File too large)", reply.read().decode())
-        self.assertEqual(sorted(self.folder.rglob("*")), before)
-
-    def get(self, server, name):
-        url = urllib.parse.urlsplit(server.address)
-        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
-        connection.request("GET", url.path + name)
-        reply = connection.getresponse()
-        head, body = reply.getheaders(), reply.read()
-        connection.close()
-        return head, body
+        self.assertEqual(contents(self.folder), before)
 
     def name_files(self, tab, changes):
         """Edits the store so that it names them."""
@@ -168,8 +144,8 @@ class Files(ServeTest):
         self.assertNotIn("error", tab.edit(*ops))
 
     def test_outside_are_not_read(self):
-        self.write(plain_store())
-        server = self.start()
+        self.write_store(plain_store())
+        server = self.serve()
         tab = self.open(server)
         for kind, (_, changes) in KINDS.items():
             for name in self.names_of(kind):
@@ -182,10 +158,10 @@ class Files(ServeTest):
     def test_in_the_folder_are_read(self):
         # The test above would see the bytes of a file. A link is not followed in the folder either.
         for name, (content, _) in KINDS.items():
-            (self.folder / name).write_text(content, encoding="utf-8")
+            self.write(name, content)
             (self.folder / f"inner-{name}").symlink_to(name)
-        self.write(plain_store())
-        server = self.start()
+        self.write_store(plain_store())
+        server = self.serve()
         for kind, (_, changes) in KINDS.items():
             tab = self.open(server)
             self.name_files(tab, changes(f"inner-{kind}"))
@@ -200,9 +176,9 @@ class Files(ServeTest):
         (self.folder / "buffer").symlink_to("../outside/buffer")
         store = plain_store(fixtures=[{**mesh("m.gltf"), "materials": {"*": "w"}}])
         for uri in ("../outside/buffer", "%2e%2e/outside/buffer", "buffer", "beside/buffer", "up/outside/buffer"):
-            (self.folder / "m.gltf").write_text(gltf(uri), encoding="utf-8")
-            self.write(store)
-            server = self.start()
+            self.write("m.gltf", gltf(uri))
+            self.write_store(store)
+            server = self.serve()
             (problem,) = self.open(server).problems
             self.assertRegex(problem["sentence"], "outside the folder|symbolic link", uri)
             server.kill()
@@ -212,14 +188,13 @@ class Files(ServeTest):
         old = time.time() - 60
 
         def write(width):
-            new = self.folder / "new.obj"
-            new.write_text(f"v 0 0 0\nv {width} 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+            new = self.write("new.obj", f"v 0 0 0\nv {width} 0 0\nv 0 1 0\nf 1 2 3\n")
             os.utime(new, (old, old))  # a file that has just changed is read each time
             new.rename(file)
 
         write(1)
-        self.write(plain_store(fixtures=[{**mesh("m.obj"), "materials": {"*": "w"}}]))
-        tab = self.open(self.start())
+        self.write_store(plain_store(fixtures=[{**mesh("m.obj"), "materials": {"*": "w"}}]))
+        tab = self.open(self.serve())
 
         outlines = []
         for width in (None, 3, 4):
@@ -233,10 +208,10 @@ class Files(ServeTest):
 
     def test_warnings_follow_no_links(self):
         # The child process reads the file that is in place when it starts.
-        (self.folder / "labels.csv").write_text(LABELS.replace("1,1,1", "1.5,1.2,0.5"), encoding="utf-8")
+        self.write("labels.csv", LABELS.replace("1,1,1", "1.5,1.2,0.5"))
         store = plain_store(labels={"csv": "labels.csv"})
-        self.write(store)
-        tab = self.open(self.start())
+        self.write_store(store)
+        tab = self.open(self.serve())
         warned = tab.next("warnings")
         self.assertIn(SECRET, json.dumps(warned))
         (self.folder / "labels.csv").rename(self.folder / "kept.csv")
@@ -254,14 +229,8 @@ class Markup(ServeTest):
         self.folder = self.scratch / "<b onclick=alert(1)>\r\nX-Evil: 1\r\n\r\n<i>"
         self.folder.mkdir()
         self.store = self.folder / "store.json"
-        (self.folder / "labels.csv").write_text(
-            'id,x,y,z,nx,ny,nz,type\n"'
-            + MARKUP.replace('"', '""')
-            + '",1,1,1,0,0,1,"l'
-            + MARKUP.replace('"', '""')
-            + '"\n',
-            encoding="utf-8",
-        )
+        quoted = MARKUP.replace('"', '""')
+        self.write("labels.csv", f'id,x,y,z,nx,ny,nz,type\n"{quoted}",1,1,1,0,0,1,"l{quoted}"\n')
         white, label, unit = ("w" + MARKUP, "l" + MARKUP, "t" + MARKUP)
         store = {
             "name": MARKUP,
@@ -279,8 +248,8 @@ class Markup(ServeTest):
             "transceivers": {"list": [{"id": "u" + MARKUP, "position": [4, 3, 2.9], "type": unit}]},
             MARKUP: MARKUP,
         }
-        self.write(store)
-        server = self.start()
+        self.write_store(store)
+        server = self.serve()
         tab = self.open(server)
         self.assertEqual(tab.json, store)
         self.assertEqual(tab.project["name"], MARKUP)
@@ -292,14 +261,9 @@ class Markup(ServeTest):
         self.assertEqual(len(tab.ask("find", text="<SCRIPT>")["hits"]), 5)
         tab.ask("edit", label="Missing", ops=[{"path": "/" + MARKUP.replace("/", "~1") + "/x", "after": 1}])
 
-        url = urllib.parse.urlsplit(server.address)
-        files = {"index": url.path, "none": url.path + "none", "scene": url.path + "scene"}
-        for name, target in files.items():
-            connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
-            connection.request("GET", target)
-            reply = connection.getresponse()
+        for name in ("", "none", "scene"):
+            reply = self.reply(server.address, name)
             head, body = str(reply.getheaders()), reply.read()
-            connection.close()
             if reply.getheader("Content-Encoding") == "gzip":
                 body = gzip.decompress(body)
             for part in ("alert", "Evil", "onclick"):

@@ -1,5 +1,6 @@
 """Stores of 5 MB that are made to need much memory."""
 
+import contextlib
 import json
 
 from planner import ServeTest, plain_store
@@ -56,19 +57,17 @@ def copies(count, labels):
 class Memory(ServeTest):
     def peak(self, content):
         """Bytes above before, while two pages are open."""
-        self.write(plain_store())
-        server = self.start()
-        tabs = [self.open(server) for _ in range(2)]
-        before = server.status("VmRSS")
-        self.write(content)
-        for tab in tabs:
-            tab.next("changed")
-        tabs.append(self.open(server))
-        self.assertNotIn("error", tabs[0].set("/name", "Nave") if tabs[0].locked is None else {})
-        peak = server.status("VmHWM") - before
-        self.assertEqual(tabs[-1].json["name"], tabs[-1].project["json"]["name"])
-        server.kill()
-        return peak
+        self.write_store(plain_store())
+        with contextlib.closing(self.serve()) as server:
+            tabs = [self.open(server, timeout=100) for _ in range(2)]
+            before = server.status("VmRSS")
+            self.write_store(content)
+            for tab in tabs:
+                tab.next("changed")
+            tabs.append(self.open(server, timeout=100))
+            self.assertNotIn("error", tabs[0].set("/name", "Nave") if tabs[0].locked is None else {})
+            self.assertEqual(tabs[-1].json["name"], tabs[-1].project["json"]["name"])
+            return server.status("VmHWM") - before
 
     def test_stays_small(self):
         stores = {

@@ -10,8 +10,8 @@ from planner import STORE, NotStarted, ServeTest, plain_store
 class Outside(ServeTest):
     def setUp(self):
         super().setUp()
-        self.write()
-        self.server = self.start()
+        self.write_store()
+        self.server = self.serve()
         self.tabs = [self.open(self.server) for _ in range(2)]
 
     def changed(self):
@@ -21,17 +21,17 @@ class Outside(ServeTest):
         return events[0]
 
     def test_a_valid_text_is_a_step(self):
-        self.write(STORE.replace("Aisle", "Nave"))
+        self.write_store(STORE.replace("Aisle", "Nave"))
         event = self.changed()
         self.assertNotIn("tab", event)
         self.assertEqual(event["json"]["name"], "Nave")
         self.assertIsNone(event["locked"])
         self.assertEqual([step["label"] for step in event["history"]["steps"]], ["Changed outside"])
         self.tabs[0].ask("undo")
-        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+        self.assertEqual(self.text("store.json"), STORE)
 
     def test_an_edit_after_it_must_fit(self):
-        self.write(STORE.replace('"at": [1, 1, 0]', '"at": [2, 1, 0]'))
+        self.write_store(STORE.replace('"at": [1, 1, 0]', '"at": [2, 1, 0]'))
         # Before the server has looked.
         answer = self.tabs[0].set("/fixtures/0/at/0", 3)
         self.assertEqual(answer["error"]["path"], "/fixtures/0/at/0")
@@ -40,38 +40,38 @@ class Outside(ServeTest):
         self.assertEqual(self.tabs[0].set("/fixtures/0/at/0", 3)["revision"], 3)
 
     def test_a_text_with_problems_is_shown(self):
-        self.write(STORE.replace('"material": "w" },', '"material": "v" },', 1))
+        self.write_store(STORE.replace('"material": "w" },', '"material": "v" },', 1))
         event = self.changed()
         self.assertIsNone(event["locked"])
         self.assertEqual([problem["pointer"] for problem in event["problems"]], ["/fixtures/0/material"])
 
     def test_an_invalid_text_locks(self):
         invalid = STORE.replace('"labels": [', '"labels": ')
-        self.write(invalid)
+        self.write_store(invalid)
         event = self.changed()
         self.assertIn("store.json: is not valid JSON (parse error at line ", event["locked"]["message"])
         self.assertEqual(event["revision"], 1)
         refused = self.tabs[0].set("/name", "Nave")
         self.assertIn("is locked", refused["error"]["message"])
-        self.assertEqual(self.store.read_text(encoding="utf-8"), invalid, "is not overwritten")
-        self.write()
+        self.assertEqual(self.text("store.json"), invalid, "is not overwritten")
+        self.write_store()
         self.assertIsNone(self.changed()["locked"])
         self.assertEqual(self.tabs[1].set("/name", "Nave")["revision"], 2)
 
     def test_a_removed_file_comes_back(self):
         self.tabs[0].set("/name", "Nave")
         self.changed()
-        before = self.store.read_bytes()
+        before = self.bytes("store.json")
         self.store.unlink()
         self.assertIn("was removed", self.changed()["locked"]["message"])
         self.assertNotIn("error", self.tabs[0].ask("restore"))
         self.changed()
-        self.assertEqual(self.store.read_bytes(), before)
+        self.assertEqual(self.bytes("store.json"), before)
 
     def test_a_removed_folder_comes_back(self):
         self.tabs[0].set("/name", "Nave")
         self.changed()
-        before = self.store.read_text(encoding="utf-8")
+        before = self.text("store.json")
         shutil.rmtree(self.folder)
         self.assertIn(f"{self.folder}: was removed", self.changed()["locked"]["message"])
         for empty in (False, True):  # as the place of a drive that is gone
@@ -80,36 +80,35 @@ class Outside(ServeTest):
             for answer in (self.tabs[0].set("/name", "Lost"), self.tabs[0].ask("undo"), self.tabs[0].ask("restore")):
                 self.assertIn(f"{self.folder}: was removed", answer["error"]["message"])
             self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"] * empty)
-        self.write(STORE.replace("Aisle", "Other"))
+        self.write_store(STORE.replace("Aisle", "Other"))
         time.sleep(1.5)
         self.assertIn("was removed", self.tabs[0].set("/name", "Lost")["error"]["message"])
         self.assertEqual([path.name for path in self.folder.iterdir()], ["store.json"], "of another shop")
-        self.write(before)
+        self.write_store(before)
         self.assertIsNone(self.changed()["locked"])
         self.assertNotIn("error", self.tabs[1].set("/name", "Apse"))
         self.assertEqual(self.document()["name"], "Apse")
         with self.assertRaisesRegex(NotStarted, "is in use"):
-            self.start()
+            self.serve()
         self.server.kill()
-        steps = self.open(self.start()).history["steps"]
+        steps = self.open(self.serve()).history["steps"]
         self.assertEqual(len(steps), 2, steps)
 
     def test_a_folder_that_moves_is_followed(self):
         moved = self.folder.rename(self.scratch / "moved")
         self.assertNotIn("error", self.tabs[0].set("/name", "Nave"))
-        self.assertIn("Nave", (moved / "store.json").read_text(encoding="utf-8"))
+        self.assertIn("Nave", self.text(moved / "store.json"))
 
     def test_a_restored_file_keeps_the_other(self):
-        self.write("{")
+        self.write_store("{")
         self.changed()
         self.tabs[0].ask("restore")
         self.assertIsNone(self.changed()["locked"])
-        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
-        self.assertEqual((self.folder / "store.json.outside-1").read_text(encoding="utf-8"), "{")
+        self.assertEqual(self.text("store.json"), STORE)
+        self.assertEqual(self.text("store.json.outside-1"), "{")
 
     def test_other_things_in_its_place_lock(self):
-        secret = self.scratch / "secret.json"
-        secret.write_text(json.dumps(plain_store(name="SECRET")), encoding="utf-8")
+        secret = self.write(self.scratch / "secret.json", plain_store(name="SECRET"))
         self.store.unlink()
         self.store.symlink_to(secret)
         self.assertIn("is a symbolic link", self.changed()["locked"]["message"])

@@ -11,8 +11,8 @@ DEEP = "[" * 200_000 + "]" * 200_000
 class Requests(ServeTest):
     def setUp(self):
         super().setUp()
-        self.write()
-        self.server = self.start()
+        self.write_store()
+        self.server = self.serve()
         self.tab = self.open(self.server)
 
     def test_without_a_meaning_are_ignored(self):
@@ -85,6 +85,7 @@ class Requests(ServeTest):
             ("unit", {**place, "axis": [0, 0, 0]}),
             ("unit", {**place, "roll_deg": 1e9}),
             ("unit", {**place, "power": 0}),
+            ("unit", {**place, "power": 1001}),
             ("unit", change),
             ("unit", {**change, "index": 1}),
             ("unit", {**change, "each": 1}),

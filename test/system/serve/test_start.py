@@ -1,7 +1,6 @@
 """How the server starts, listens and ends, and what it says if it cannot."""
 
 import gzip
-import http.client
 import json
 import os
 import pathlib
@@ -10,11 +9,10 @@ import resource
 import signal
 import socket
 import struct
-import subprocess
-import time
 import unittest
 import urllib.parse
 
+from harness import contents, output, run
 from planner import STORE, NotStarted, ServeTest, command
 from websocket import Closed, Refused
 
@@ -23,8 +21,7 @@ NOBODY = 65534
 
 def own_addresses():
     """Those of IPv4 for other computers, as the system lists them."""
-    listed = subprocess.run(["hostname", "-I"], stdout=subprocess.PIPE, text=True, check=True).stdout
-    return {address for address in listed.split() if ":" not in address}
+    return {address for address in output("-I", program="hostname").split() if ":" not in address}
 
 
 def free_port():
@@ -34,24 +31,9 @@ def free_port():
 
 
 class Start(ServeTest):
-    def content(self):
-        """All files of the folder."""
-        return {
-            str(path.relative_to(self.folder)): path.read_bytes() for path in self.folder.rglob("*") if path.is_file()
-        }
-
-    def refused(self, *options, folder=None, **process):
-        """The only line that a server prints which does not start."""
-        with self.assertRaises(NotStarted) as failure:
-            self.start(*options, folder=folder, **process)
-        self.assertEqual((failure.exception.code, failure.exception.out), (2, ""), failure.exception.err)
-        (line,) = failure.exception.err.splitlines()
-        self.assertTrue(line.startswith("error: "), line)
-        return line
-
     def test_a_new_folder_gets_a_shop(self):
         for folder in (self.folder, self.scratch / "new/shop"):
-            server = self.start(folder=folder)
+            server = self.serve(folder=folder)
             tab = self.open(server)
             self.assertEqual(tab.json["name"], "New shop")
             fixture = {"preset": "gondola 1.25 m, double, 1.6 m high", "id": "A1", "at": [8, 6]}
@@ -61,132 +43,118 @@ class Start(ServeTest):
             self.assertEqual(tab.problems, [])
             self.assertEqual(tab.project["name"], "New shop")
             tab.set("/name", "Mine")
-            self.assertIn('"name": "Mine"', (folder / "store.json").read_text(encoding="utf-8"))
+            self.assertIn('"name": "Mine"', self.text(folder / "store.json"))
             tab.set("/name", "")
             self.assertEqual(self.open(server).project["name"], folder.name)
 
     def test_a_store_file_stands_for_its_folder(self):
-        self.write()
-        tab = self.open(self.start(folder=self.store))
+        self.write_store()
+        tab = self.open(self.serve(folder=self.store))
         self.assertEqual(tab.json["name"], "Aisle")
-        other = self.folder / "labels.csv"
-        other.write_text("id\n", encoding="utf-8")
-        self.assertIn("labels.csv: is not a folder; name a folder with a store.json", self.refused(folder=other))
+        other = self.write("labels.csv", "id\n")
+        self.assertIn("labels.csv: is not a folder; name a folder with a store.json", self.refusal(folder=other))
         for name in ("new.json", "new/store.json"):
-            self.assertIn("does not exist", self.refused(folder=self.scratch / name))
+            self.assertIn("does not exist", self.refusal(folder=self.scratch / name))
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
 
     def test_a_demo_leaves_nothing(self):
-        environment = os.environ | {"TMPDIR": str(self.scratch)}
-        process = self.run_plainly("--demo", env=environment)
-        self.assertIn(str(self.scratch), process.stdout.readline())
-        self.assertIn("this temporary copy is then removed", process.stdout.readline())
-        process.send_signal(signal.SIGTERM)
-        self.assertEqual(process.wait(30), 0)
+        server = self.start("serve --demo --no-browser", env=os.environ | {"TMPDIR": str(self.scratch)})
+        server.wait_until(lambda: server.printed().count("\n") >= 2)
+        told = server.printed().splitlines()
+        self.assertIn(str(self.scratch), told[0])
+        self.assertIn("this temporary copy is then removed", told[1])
+        self.assertEqual(server.end(signal.SIGTERM).status, 0)
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
-
-    def run_plainly(self, *options, **process):
-        """A server that prints for people."""
-        return self.run_with([command("")[0], "serve", *options, "--no-browser"], **process)
-
-    def run_with(self, arguments, **process):
-        process = subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True, **process)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.kill)
-        return process
 
     def test_the_address_is_printed_quietly_too(self):
-        line = self.run_plainly(self.folder, "--quiet").stdout.readline()
-        self.assertRegex(line, r"^http://127\.0\.0\.1:\d+/[0-9a-f]{32}/$")
+        server = self.start("serve . --no-browser --quiet")
+        server.wait_until(lambda: "\n" in server.printed())
+        self.assertRegex(server.printed(), r"^http://127\.0\.0\.1:\d+/[0-9a-f]{32}/\n")
 
     def test_a_port_in_use(self):
-        self.write()
+        self.write_store()
         with socket.create_server(("127.0.0.1", 0)) as other:
             port = other.getsockname()[1]
-            line = self.refused("--port", str(port))
+            line = self.refusal("--port", str(port))
             for folder in (self.scratch / "new/shop", self.folder):
-                self.refused("--port", str(port), folder=folder)
-                self.refused("--demo", "--port", str(port), folder=folder)
+                self.refusal("--port", str(port), folder=folder)
+                self.refusal("--demo", "--port", str(port), folder=folder)
         self.assertIn(str(port), line)
         self.assertIn("in use", line)
+        self.assertIn("choose another port", line)
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
-        self.assertEqual({name: text.decode() for name, text in self.content().items()}, {"store.json": STORE})
-        self.open(self.start("--port", str(free_port())))
+        self.assertEqual(contents(self.folder), {"store.json": STORE.encode()})
+        self.open(self.serve("--port", str(free_port())))
 
     def test_refused_options_leave_nothing(self):
-        broken = self.folder / "broken.json"
-        broken.write_text("{", encoding="utf-8")
+        broken = self.write("broken.json", "{")
         for option, word in (
             (("--listen", "shop.example"), "shop.example"),
             (("--allow-host", "a b"), "a b"),
             (("--catalogue", "none.json"), "none.json"),
             (("--catalogue", str(broken)), "broken.json"),
         ):
-            self.assertIn(word, self.refused(*option, folder=self.scratch / "new"))
+            self.assertIn(word, self.refusal(*option, folder=self.scratch / "new"))
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
-        self.start(folder=self.scratch / "new")  # negative control: without them it makes the folder
+        self.serve(folder=self.scratch / "new")  # negative control: without them it makes the folder
         self.assertTrue((self.scratch / "new/store.json").exists())
 
     def test_an_address_in_brackets_is_allowed(self):
         def status(server, host):
-            url = urllib.parse.urlsplit(server.address)
-            connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
-            connection.request("GET", url.path, headers={"Host": host.format(url.port)})
-            reply = connection.getresponse()
-            connection.close()
-            return reply.status
+            port = urllib.parse.urlsplit(server.address).port
+            return self.reply(server.address, Host=host.format(port)).status
 
-        allowing, plain = self.start("--allow-host", "[::1]"), self.start(folder=self.scratch / "other")
+        allowing, plain = self.serve("--allow-host", "[::1]"), self.serve(folder=self.scratch / "other")
         self.assertEqual([status(one, "[::1]:{}") for one in (allowing, plain)], [200, 403])
         for host in ("attacker.example:{}", "::1", "::1:{}", "[::1]:1", "[::2]:{}", "[::1].attacker.example:{}"):
             self.assertEqual(status(allowing, host), 403, host)
         # The folder may follow the option.
-        arguments = [command("")[0], "serve", "--no-browser", "--json", "--allow-host", "[::1]", self.scratch / "last"]
-        self.assertEqual(self.run_with(arguments).stdout.readline(), "{\n")
+        server = self.start("serve --no-browser --json --allow-host [::1] ../last")
+        self.assertTrue(server.wait_until(lambda: server.printed().startswith("{\n")))
         self.assertTrue((self.scratch / "last/store.json").exists())
 
     def test_a_folder_in_use(self):
-        self.write()
-        server = self.start()
-        before = self.content()
-        line = self.refused()
+        self.write_store()
+        server = self.serve()
+        before = contents(self.folder)
+        line = self.refusal()
         self.assertIn(f"{self.folder}: is in use by another run of shelfbeam (process {server.process.pid})", line)
-        self.assertEqual(self.content(), before)
+        self.assertIn("use the page of the other, or end it", line)
+        self.assertEqual(contents(self.folder), before)
         self.assertNotIn("error", self.open(server).set("/name", "Nave"))
         server.kill()
-        self.open(self.start())
+        self.open(self.serve())
 
     def test_folders_that_hold_no_project(self):
-        self.write("{")
-        self.assertIn("store.json: is not valid JSON", self.refused())
-        self.write("[]")
-        self.assertIn("is not a JSON object", self.refused())
-        self.write(json.dumps({"format": 1000}))
-        self.assertIn("format version 1000", self.refused())
-        self.assertEqual(list(self.content()), ["store.json"], "nothing was written")
+        self.write_store("{")
+        self.assertIn("store.json: is not valid JSON", self.refusal())
+        self.write_store("[]")
+        self.assertIn("is not a JSON object", self.refusal())
+        self.write_store(json.dumps({"format": 1000}))
+        self.assertIn("format version 1000", self.refusal())
+        self.assertEqual(list(contents(self.folder)), ["store.json"], "nothing was written")
         self.store.unlink()
         os.mkfifo(self.store)
-        self.assertIn("is not a regular file", self.refused())
+        self.assertIn("is not a regular file", self.refusal())
         self.store.unlink()
         self.store.symlink_to("elsewhere")
-        self.assertIn("is a symbolic link", self.refused())
-        (self.folder / "elsewhere").write_text(STORE, encoding="utf-8")
-        self.assertIn("is a symbolic link", self.refused())
-        self.refused(folder=self.folder / "elsewhere")
+        self.assertIn("is a symbolic link", self.refusal())
+        self.write("elsewhere", STORE)
+        self.assertIn("is a symbolic link", self.refusal())
+        self.refusal(folder=self.folder / "elsewhere")
         self.store.unlink()
-        self.write()
-        (self.folder / ".shelfbeam").write_text("")
-        self.assertIn("error: .shelfbeam: is not a folder", self.refused())
+        self.write_store()
+        self.write(".shelfbeam", "")
+        self.assertIn("error: .shelfbeam: is not a folder", self.refusal())
 
     @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
     def test_a_folder_of_somebody_else(self):
-        self.write()
+        self.write_store()
         self.scratch.chmod(0o755)
         self.folder.chmod(0o755)
-        self.assertIn("Permission denied", self.refused(user=NOBODY, group=NOBODY))
-        self.assertEqual(list(self.content()), ["store.json"])
-        self.assertIn("Permission denied", self.refused(folder=self.scratch / "new", user=NOBODY, group=NOBODY))
+        self.assertIn("Permission denied", self.refusal(user=NOBODY, group=NOBODY))
+        self.assertEqual(list(contents(self.folder)), ["store.json"])
+        self.assertIn("Permission denied", self.refusal(folder=self.scratch / "new", user=NOBODY, group=NOBODY))
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
 
     @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
@@ -202,16 +170,16 @@ class Start(ServeTest):
             folder.mkdir()
             os.chown(folder, first, group)
             folder.chmod(mode)
-            store = folder / "store.json"
-            store.write_text(STORE, encoding="utf-8")
+            store = self.write(folder / "store.json", STORE)
             os.chown(store, first, group)
             store.chmod(0o660)
             for k, user in enumerate((second, first, second)):
-                server = self.start(folder=folder, **own_group(user, umask=umask))
+                server = self.serve(folder=folder, **own_group(user, umask=umask))
                 tab = self.open(server)
                 self.assertEqual(len(tab.history["steps"]), k, "the history goes on")
                 self.assertNotIn("error", tab.set("/name", f"Shop {k}"))
-                self.assertIn(f"Shop {k}", store.read_text(encoding="utf-8"))
+                self.assertIn(f"Shop {k}", self.text(store))
+                tab.close()  # a server that ends waits for its pages
                 # A lock of a process that was killed is left behind.
                 server.kill() if k == 0 else server.end(signal.SIGTERM)
                 status = store.stat()
@@ -220,55 +188,52 @@ class Start(ServeTest):
             # Others may not read the store, and its texts are in the history.
             self.assertEqual((hidden.st_gid, hidden.st_mode & 0o7777), (group, 0o2770))
             with self.assertRaises(NotStarted):
-                self.start(folder=folder, user=stranger, group=stranger, extra_groups=[])
+                self.serve(folder=folder, user=stranger, group=stranger, extra_groups=[])
 
     @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
     def test_a_hidden_folder_of_an_earlier_version(self):
-        self.write()
+        self.write_store()
         self.scratch.chmod(0o755)
         hidden = self.folder / ".shelfbeam"
         for path in (self.folder, self.store):
             os.chown(path, 2001, 3000)
         self.folder.chmod(0o2775)
-        self.start(user=2001, group=3000, extra_groups=[]).kill()
+        self.serve(user=2001, group=3000, extra_groups=[]).kill()
         self.assertEqual(hidden.stat().st_mode & 0o7777, 0o2775, "as its folder")
         hidden.chmod(0o2700)
         second = {"user": 2002, "group": 2002, "extra_groups": [3000]}
-        self.assertRegex(self.refused(**second), r"error: \.shelfbeam: cannot be written \(Permission denied\); let")
-        self.start(user=2001, group=3000, extra_groups=[]).kill()
-        self.open(self.start(**second))
-
-    def limit(self, process, size):
-        """The files of a process then grow to this size only."""
-        resource.prlimit(process.pid if process else 0, resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
+        self.assertRegex(self.refusal(**second), r"error: \.shelfbeam: cannot be written \(Permission denied\); let")
+        self.serve(user=2001, group=3000, extra_groups=[]).kill()
+        self.open(self.serve(**second))
 
     def test_a_full_disk_at_the_start(self):
-        self.write()
+        self.write_store()
         for size in (0, 10, 500):
-            line = self.refused(preexec_fn=lambda size=size: self.limit(None, size))
-            self.assertIn("cannot be written", line)
-            self.assertEqual(self.content()["store.json"].decode(), STORE)
-            self.assertEqual([name for name in self.content() if ".shelfbeam-" in name], [])
+            end = run(*command(self.folder), limits=[(resource.RLIMIT_FSIZE, size)], timeout=60)
+            self.assertEqual((end.status, end.out), (2, ""))
+            self.assertRegex(end.err, r"\Aerror: [^\n]*cannot be written[^\n]*\n\Z")
+            self.assertEqual(self.text("store.json"), STORE)
+            self.assertEqual([name for name in contents(self.folder) if ".shelfbeam-" in name], [])
         for path in (self.folder / ".shelfbeam").iterdir():
             self.assertEqual(path.stat().st_size, 0, path)
-        self.open(self.start()).set("/name", "Nave")
+        self.open(self.serve()).set("/name", "Nave")
 
     def test_a_full_disk_during_edits(self):
-        self.write()
-        server = self.start()
+        self.write_store()
+        server = self.serve()
         tab = self.open(server)
         tab.set("/name", "Nave")
-        before, revision = self.content(), tab.revision
+        before, revision = contents(self.folder), tab.revision
         for size in (0, 100, len(STORE) + 10):
-            self.limit(server.process, size)
+            resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
             for answer in (tab.set("/name", "x" * 500), tab.set("/fixtures/0/id", "y"), tab.ask("undo")):
                 self.assertIn("cannot be written", answer["error"]["message"], size)
-            self.assertEqual((self.content(), tab.revision), (before, revision))
-        self.write(STORE.replace("Aisle", "Outside"))
-        outside = self.content()
+            self.assertEqual((contents(self.folder), tab.revision), (before, revision))
+        self.write_store(STORE.replace("Aisle", "Outside"))
+        outside = contents(self.folder)
         self.assertIn("cannot be written", tab.set("/name", "Lost")["error"]["message"])
-        self.assertEqual(self.content(), outside)
-        self.limit(server.process, resource.RLIM_INFINITY)
+        self.assertEqual(contents(self.folder), outside)
+        resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
         tab.reach(revision + 1)
         self.assertEqual(tab.json["name"], "Outside")
         self.assertNotIn("error", tab.set("/name", "Apse"))
@@ -277,9 +242,9 @@ class Start(ServeTest):
 
 class End(ServeTest):
     def test_a_signal_closes_pages(self):
-        self.write()
+        self.write_store()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            server = self.start()
+            server = self.serve()
             tabs = [self.open(server) for _ in range(3)]
             tabs[0].set("/name", number.name)
             server.process.send_signal(number)
@@ -289,136 +254,132 @@ class End(ServeTest):
                         tab.read()
                 self.assertEqual(farewell.exception.code, 1001)
                 tab.close()
-            self.assertEqual(server.wait(), (0, ""))
+            end = server.wait()
+            self.assertEqual((end.status, end.err), (0, ""))
             self.assertEqual(self.document()["name"], number.name)
 
 
 class Address(ServeTest):
-    def answer(self, address, target, host=None, method="GET", fields=None, body=b""):
-        url = urllib.parse.urlsplit(address)
-        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
-        self.addCleanup(connection.close)
-        connection.putrequest(method, target, skip_host=True)
-        connection.putheader("Host", url.netloc if host is None else host)
-        for name, value in (fields or {}).items():
-            connection.putheader(name, value)
-        if body:
-            connection.putheader("Content-Length", str(len(body)))
-        connection.endheaders(body)
-        return connection.getresponse()
-
-    def status(self, address, target, host):
-        return self.answer(address, target, host).status
-
     def test_all_files_of_the_page_are_there(self):
-        self.write()
-        server = self.start()
-        path = urllib.parse.urlsplit(server.address).path
-        page = gzip.decompress(self.answer(server.address, path).read()).decode()
+        self.write_store()
+        server = self.serve()
+        page = gzip.decompress(self.reply(server.address).read()).decode()
         files = re.findall(r'(?:href|src)="([^"]+)"', page)
         self.assertIn("icon.svg", files, "without an icon, browsers ask for /favicon.ico")
         for file in files:
-            self.assertEqual(self.answer(server.address, path + file).status, 200, file)
+            self.assertEqual(self.reply(server.address, file).status, 200, file)
 
     def test_only_floor_plans_and_tables_are_uploaded(self):
-        server = self.start()
-        url = urllib.parse.urlsplit(server.address)
-        origin = {"Origin": f"http://{url.netloc}"}
+        server = self.serve()
 
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + b"crc."
 
-        picture = (
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0)) + chunk(b"IEND", b"")
-        )
+        header = struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0)
+        picture = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IEND", b"")
 
-        def put(name, body, fields=origin):
-            return self.answer(server.address, f"{url.path}files/{name}", method="PUT", fields=fields, body=body)
+        def put(name, body, **fields):
+            return self.put(server, name, body, **fields).getresponse()
 
-        before = sorted(path.name for path in self.folder.iterdir())
+        before = contents(self.folder)
         for method in ("PUT", "POST", "DELETE", "PATCH", "OPTIONS"):
-            self.assertEqual(self.answer(server.address, url.path + "mesh.glb", method=method).status, 405, method)
-        self.assertEqual(put("plan.png", picture, {}).status, 403)
-        self.assertEqual(put("plan.png", picture, {"Origin": "http://attacker.example"}).status, 403)
-        for name, body in (
-            ("plan.png", b"\x89HDF\r\n\x1a\n" + b"0" * 100),
-            ("store.json", b"{}"),
-            (".shelfbeam", picture),
-            ("store.json", picture),
-            ("plan.png", picture[:-5]),
-            ("plan.pdf", b"<script>alert(1)</script>"),
-            ("plan.html", b"%PDF-1.7"),
-            ("labels.csv", b"Br\xf6tchen,1"),
+            self.assertEqual(self.reply(server.address, "mesh.glb", method).status, 405, method)
+        self.assertEqual(self.reply(server.address, "files/plan.png", "PUT", **{"Content-Length": "9"}).status, 403)
+        for status, name, body, fields in (
+            (403, "plan.png", picture, {"Origin": "http://attacker.example"}),
+            (422, "plan.png", b"\x89HDF\r\n\x1a\n" + b"0" * 100, {}),
+            (422, "store.json", b"{}", {}),
+            (422, ".shelfbeam", picture, {}),
+            (422, "store.json", picture, {}),
+            (422, "plan.png", picture[:-5], {}),
+            (422, "plan.pdf", b"<script>alert(1)</script>", {}),
+            (422, "plan.html", b"%PDF-1.7", {}),
+            (422, "labels.csv", b"Br\xf6tchen,1", {}),
         ):
-            answer = put(name, body)
-            self.assertEqual(answer.status, 422, name)
+            answer = put(name, body, **fields)
+            self.assertEqual(answer.status, status, name)
             self.assertTrue(answer.read(), name)
         for name in ("..%2Fplan.png", "../plan.png", "%2e%2e/plan.png"):
             self.assertIn(put(name, picture).status, (404, 405, 422), name)
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
-        answer = put("plan.png", picture)
-        self.assertEqual(answer.status, 201)
-        self.assertEqual(json.loads(answer.read()), {"file": "plan.png", "width": 3, "height": 2})
-        self.assertEqual((self.folder / "plan.png").read_bytes(), picture)
-        sent = self.answer(server.address, url.path + "files/plan.png")
-        self.assertEqual((sent.status, sent.read()), (200, picture))
-        answer = put("plan.pdf", b"%PDF-1.7")
-        self.assertEqual((answer.status, json.loads(answer.read())), (201, {"file": "plan.pdf"}))
-        sent = self.answer(server.address, url.path + "files/plan.pdf")
-        self.assertEqual(sent.headers["Content-Type"], "application/pdf")
-        for body, name in ((b"id,x\n1,2\n", "labels.csv"), (b"id,x\n3,4\n", "labels-2.csv")):
-            answer = put("labels.csv", body)
-            self.assertEqual((answer.status, json.loads(answer.read())), (201, {"file": name}))
-            self.assertEqual((self.folder / name).read_bytes(), body)
-        sent = self.answer(server.address, url.path + "files/labels.csv")
-        self.assertEqual(sent.headers["Content-Type"], "text/csv")
-        self.assertEqual(self.answer(server.address, url.path + "files/store.json").status, 404)
+        self.assertEqual(contents(self.folder), before)
+        for name, body, told, kind in (
+            ("plan.png", picture, {"file": "plan.png", "width": 3, "height": 2}, "image/png"),
+            ("plan.pdf", b"%PDF-1.7", {"file": "plan.pdf"}, "application/pdf"),
+            ("labels.csv", b"id,x\n1,2\n", {"file": "labels.csv"}, "text/csv"),
+            ("labels.csv", b"id,x\n3,4\n", {"file": "labels-2.csv"}, "text/csv"),
+        ):
+            answer = put(name, body)
+            self.assertEqual((answer.status, json.loads(answer.read())), (201, told))
+            self.assertEqual(self.bytes(told["file"]), body)
+            sent = self.reply(server.address, f"files/{told['file']}")
+            self.assertEqual((sent.status, sent.read(), sent.headers["Content-Type"]), (200, body, kind))
+        self.assertEqual(self.reply(server.address, "files/store.json").status, 404)
+
+    def test_broken_files_of_devices_are_not_kept(self):
+        server = self.serve()
+        before = contents(self.folder)
+        for name, body, words in (
+            ("cut.ies", b"IESNA:LM-63-2002\nTILT=NONE\n1 2 3\n", "cut.ies: line 3: the file ends"),
+            ("cut.ldt", b"only one line", "cut.ldt: "),
+            ("cut.obj", b"v 1 2\nf 1 2 3\n", "a coordinate is missing"),
+            ("cut.glb", b"glTF....", "cut.glb"),
+            ("empty.stl", b"solid\nendsolid\n", "empty.stl"),
+        ):
+            answer = self.put(server, name, body).getresponse()
+            self.assertEqual(answer.status, 422, name)
+            self.assertIn(words, answer.read().decode())
+            self.assertEqual(self.reply(server.address, f"files/{name}").status, 404, name)
+        self.assertEqual(contents(self.folder), before)
+        self.assertEqual(self.put(server, "m.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").getresponse().status, 201)
 
     def test_only_this_computer_by_default(self):
-        server = self.start()
+        server = self.serve()
         url = urllib.parse.urlsplit(server.address)
         self.assertEqual(url.hostname, "127.0.0.1")
         with self.assertRaises(ConnectionRefusedError):
             socket.create_connection(("127.0.0.2", url.port), 5)
-        self.assertEqual(server.end(signal.SIGINT), (0, ""))
+        end = server.end()
+        self.assertEqual((end.status, end.err), (0, ""))
 
     def test_another_address_is_said(self):
         for address, said in (("127.0.0.2", "127.0.0.2"), ("0.0.0.0", "127.0.0.1")):
-            server = self.start("--listen", address)
+            server = self.serve("--listen", address)
             url = urllib.parse.urlsplit(server.address)
             self.assertEqual(url.hostname, said)
             for one in server.addresses:
                 self.open(server, address=one).close()
             other = server.address.replace(said, "127.0.0.2")
-            self.assertEqual(self.status(other, url.path, f"127.0.0.2:{url.port}"), 200 if said == "127.0.0.2" else 403)
+            self.assertEqual(self.reply(other).status, 200 if said == "127.0.0.2" else 403)
             if address == "0.0.0.0":
                 self.assertEqual({urllib.parse.urlsplit(one).hostname for one in server.addresses[1:]}, own_addresses())
-            code, text = server.end(signal.SIGINT)
-            self.assertEqual(code, 0)
+            end = server.end()
+            self.assertEqual(end.status, 0)
             warning = "Other computers can reach this planner at 0.0.0.0;"
-            self.assertEqual(warning in text, address == "0.0.0.0", text)
+            self.assertEqual(warning in end.err, address == "0.0.0.0", end.err)
 
     def test_other_names(self):
         names = ("shop.example", "proxy.example:8443")
-        server = self.start(*(word for name in names for word in ("--allow-host", name)))
+        server = self.serve(*(word for name in names for word in ("--allow-host", name)))
         url = urllib.parse.urlsplit(server.address)
         for host in (f"shop.example:{url.port}", "shop.example", "SHOP.example", "proxy.example:8443"):
-            self.assertEqual(self.status(server.address, url.path, host), 200, host)
+            self.assertEqual(self.reply(server.address, Host=host).status, 200, host)
             self.open(server, Host=host, Origin=f"http://{host}")
         for host in (f"evil.example:{url.port}", "shop.example.evil", f"proxy.example:{url.port}", ""):
-            self.assertEqual(self.status(server.address, url.path, host), 403, host)
+            self.assertEqual(self.reply(server.address, Host=host).status, 403, host)
             with self.assertRaises(Refused) as refusal:
                 self.open(server, Host=host, Origin=f"http://{host}")
             self.assertEqual(refusal.exception.status, 403)
 
     def test_wrong_addresses(self):
-        self.write()
-        for options in (("--listen", "256.1.1.1"), ("--listen", "192.0.2.1"), ("--allow-host", "a b"), ("--port", "0")):
-            with self.assertRaises(NotStarted) as failure:
-                self.start(*options)
-            self.assertEqual((failure.exception.code, failure.exception.out), (2, ""), options)
-            self.assertTrue(failure.exception.err.startswith("error: "), failure.exception.err)
-            self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+        self.write_store()
+        for option, value, words in (
+            ("--listen", "256.1.1.1", "is neither IPv4 nor IPv6; e.g. 127.0.0.1"),
+            ("--listen", "192.0.2.1", "choose an address of this computer"),
+            ("--allow-host", "a b", "write it as the browser shows it, e.g. shop.example"),
+            ("--port", "0", "is not a whole number from 1 to 65535"),
+        ):
+            self.assertIn(words, self.refusal(option, value))
+            self.assertEqual(self.text("store.json"), STORE)
 
 
 XDG_OPEN = """#!/bin/sh
@@ -434,29 +395,22 @@ class Browser(ServeTest):
 
     def setUp(self):
         super().setUp()
-        self.write()
-        programs = self.scratch / "bin"
-        programs.mkdir()
-        opener = programs / "xdg-open"
-        opener.write_text(XDG_OPEN, encoding="utf-8")
-        opener.chmod(0o755)
+        self.write_store()
+        self.write(self.scratch / "bin/xdg-open", XDG_OPEN).chmod(0o755)
         self.record = self.scratch / "record"
-        search = f"{programs}{os.pathsep}{os.environ['PATH']}"
+        search = f"{self.scratch}/bin{os.pathsep}{os.environ['PATH']}"
         self.environment = dict(os.environ, PATH=search, RECORD=str(self.record), DISPLAY=":99")
         self.environment.pop("WAYLAND_DISPLAY", None)
 
-    def recorded(self):
+    def recorded(self, server):
         """Waits for the program: its argument, the mode of the file, and its content."""
-        end = time.monotonic() + 20
-        while not self.record.exists():
-            self.assertLess(time.monotonic(), end, "no browser was opened")
-            time.sleep(0.01)
-        argument, mode, content = self.record.read_text(encoding="utf-8").split("\n", 2)
+        server.wait_until(self.record.exists)
+        argument, mode, content = self.text(self.record).split("\n", 2)
         return pathlib.Path(argument), mode, content
 
     def test_a_private_file_leads_the_browser_to_the_page(self):
-        server = self.start(browser=True, env=self.environment)
-        page, mode, content = self.recorded()
+        server = self.serve(browser=True, env=self.environment)
+        page, mode, content = self.recorded(server)
         self.assertEqual(page, self.folder / ".shelfbeam/open.html")
         self.assertEqual(mode, "600", "other users must not read the token")
         self.assertIn(f"url={server.address}", content)
@@ -468,20 +422,20 @@ class Browser(ServeTest):
         self.assertNotIn(token, arguments)
 
     def test_a_planted_file_or_link_does_not_get_the_address(self):
-        mine = self.scratch / "mine"
-        mine.write_text("mine", encoding="utf-8")
+        mine = self.write(self.scratch / "mine", "mine")
         (self.folder / ".shelfbeam").mkdir()
         (self.folder / ".shelfbeam/open.html").symlink_to(mine)
-        server = self.start(browser=True, env=self.environment)
-        page, mode, content = self.recorded()
+        server = self.serve(browser=True, env=self.environment)
+        page, mode, content = self.recorded(server)
         self.assertEqual((mode, page.is_symlink()), ("600", False))
         self.assertIn(server.address, content)
-        self.assertEqual(mine.read_text(encoding="utf-8"), "mine")
+        self.assertEqual(self.text(mine), "mine")
 
     def test_no_browser_without_a_desktop_or_by_option(self):
         plain = {key: value for key, value in self.environment.items() if key != "DISPLAY"}
         for browser, environment in ((True, plain), (False, self.environment)):
-            server = self.start(browser=browser, env=environment)
-            self.assertEqual(server.end(signal.SIGINT), (0, ""))
+            server = self.serve(browser=browser, env=environment)
+            end = server.end()
+            self.assertEqual((end.status, end.err), (0, ""))
             self.assertFalse((self.folder / ".shelfbeam/open.html").exists())
         self.assertFalse(self.record.exists())

@@ -12,8 +12,8 @@ class Tabs(ServeTest):
 
     def setUp(self):
         super().setUp()
-        self.write()
-        self.server = self.start()
+        self.write_store()
+        self.server = self.serve()
         self.tabs = [self.open(self.server) for _ in range(2)]
 
     def edit_at_random(self, tab, seed, sent, errors):
@@ -58,7 +58,7 @@ class Tabs(ServeTest):
             self.assertIn(error["path"], [op["path"] for op in ops], number)
             self.assertTrue(error["message"])
         self.assertNotIn("error", self.tabs[0].ask("go", position=0))
-        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+        self.assertEqual(self.text("store.json"), STORE)
 
     def test_that_edit_the_same_value_conflict(self):
         one, other = self.tabs
@@ -86,9 +86,3 @@ class Tabs(ServeTest):
         self.assertEqual(other.history["position"], 1)
         late = self.open(self.server)
         self.assertEqual((late.json, late.history), (other.json, other.history))
-
-
-if __name__ == "__main__":
-    import unittest
-
-    unittest.main()

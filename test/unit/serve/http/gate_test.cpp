@@ -1,13 +1,6 @@
 #include "serve/http/gate.hpp"
 
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve::http {
 namespace {
@@ -25,6 +18,21 @@ unsigned status(const Gate& gate, Fields fields, std::string_view name = "page",
                 std::string_view method = "GET") {
   const std::string target = "/" + std::string(gate_token) + "/" + std::string(name);
   return gate.judge({method, target, std::move(fields)}).refusal;
+}
+
+Fields changed(Fields fields, std::size_t field, std::string_view value) {
+  fields[field].second = value;
+  return fields;
+}
+
+Fields with(Fields fields, std::string_view name, std::string_view value) {
+  fields.emplace_back(name, value);
+  return fields;
+}
+
+Fields without(Fields fields, std::size_t field) {
+  fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(field));
+  return fields;
 }
 
 TEST(Gate, LetsInWhatABrowserSends) {
@@ -72,7 +80,7 @@ TEST(Gate, TakesOnlyNamesThatABrowserSends) {
   for (const char* name :
        {"", "*", "*.shop.example", "http://shop.example", "shop.example/", "shop.example:", "shop.example:0",
         "shop.example:65536", "shop.example:x", "a b", "a@b", "::1", "[]", ":80", "sh\xc3\xb6p.example"})
-    test::expect_input_error([&] { gate("127.0.0.1", 8080, {name}); }, "name of a host");
+    expect_input_error([&] { gate("127.0.0.1", 8080, {name}); }, "name of a host");
 }
 
 TEST(Gate, WantsTheTokenFirst) {
@@ -95,14 +103,11 @@ TEST(Gate, TakesNoOtherMethodsAndNoBodies) {
   for (const std::string_view method :
        {"POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "TRACE", "get", "GETT", ""})
     EXPECT_EQ(status(gate(), fields, "page", method), 405u) << method;
-  const auto with = [&](std::string_view name, std::string_view value) {
-    return status(gate(), {fields[0], {name, value}});
-  };
-  EXPECT_EQ(with("Content-Length", "0"), 0u);
+  EXPECT_EQ(status(gate(), with(fields, "Content-Length", "0")), 0u);
   for (const std::string_view length : {"1", "00", "-0", "", "0, 5", "18446744073709551616"})
-    EXPECT_EQ(with("Content-Length", length), 413u) << length;
-  EXPECT_EQ(with("Transfer-Encoding", "chunked"), 413u);
-  EXPECT_EQ(with("transfer-encoding", "identity"), 413u);
+    EXPECT_EQ(status(gate(), with(fields, "Content-Length", length)), 413u) << length;
+  EXPECT_EQ(status(gate(), with(fields, "Transfer-Encoding", "chunked")), 413u);
+  EXPECT_EQ(status(gate(), with(fields, "transfer-encoding", "identity")), 413u);
 }
 
 TEST(Gate, TakesFilesOfItsOwnPages) {
@@ -110,18 +115,8 @@ TEST(Gate, TakesFilesOfItsOwnPages) {
                     {"Origin", "http://127.0.0.1:8080"},
                     {"Content-Length", "1000"},
                     {"Sec-Fetch-Site", "same-origin"}};
-  const auto put = [&](Fields fields, std::string_view name = "files/plan.png") {
-    return status(gate(), std::move(fields), name, "PUT");
-  };
-  const auto changed = [&](std::size_t field, std::string_view value) {
-    Fields fields = good;
-    fields[field].second = value;
-    return put(fields);
-  };
-  const auto without = [&](std::size_t field) {
-    Fields fields = good;
-    fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(field));
-    return put(fields);
+  const auto put = [](const Fields& fields, std::string_view name = "files/plan.png") {
+    return status(gate(), fields, name, "PUT");
   };
   EXPECT_EQ(put(good), 0u);
   EXPECT_EQ(gate().judge({"PUT", std::string("/") + gate_token + "/files/plan.png", good}).upload, 1000U);
@@ -129,22 +124,19 @@ TEST(Gate, TakesFilesOfItsOwnPages) {
   EXPECT_EQ(put(good, ""), 405u);
   for (const std::string_view name : {"files/plan.png", "socket"})
     EXPECT_EQ(status(gate(), good, name, "POST"), 405u) << name;
-  EXPECT_EQ(without(1), 403u) << "no origin";
+  EXPECT_EQ(put(without(good, 1)), 403u) << "no origin";
   for (const std::string_view origin : {"null", "http://attacker.example", "http://127.0.0.1:8081"})
-    EXPECT_EQ(changed(1, origin), 403u) << origin;
-  EXPECT_EQ(without(2), 411u) << "no length";
+    EXPECT_EQ(put(changed(good, 1, origin)), 403u) << origin;
+  EXPECT_EQ(put(without(good, 2)), 411u) << "no length";
   for (const std::string_view length : {"0", "1001", "9223372036854775807"})
-    EXPECT_EQ(changed(2, length), 413u) << length;
+    EXPECT_EQ(put(changed(good, 2, length)), 413u) << length;
   for (const std::string_view length : {"", "-1", "+5", "5, 5", "0x10", "18446744073709551616"})
-    EXPECT_EQ(changed(2, length), 411u) << length;
-  Fields twice = good, chunked = good;
-  twice.emplace_back("Content-Length", "1000");
-  chunked.emplace_back("Transfer-Encoding", "chunked");
-  EXPECT_EQ(put(twice), 411u);
-  EXPECT_EQ(put(chunked), 411u);
-  EXPECT_EQ(without(3), 0u) << "an older browser";
+    EXPECT_EQ(put(changed(good, 2, length)), 411u) << length;
+  EXPECT_EQ(put(with(good, "Content-Length", "1000")), 411u) << "twice";
+  EXPECT_EQ(put(with(good, "Transfer-Encoding", "chunked")), 411u);
+  EXPECT_EQ(put(without(good, 3)), 0u) << "an older browser";
   for (const std::string_view site : {"none", "same-site", "cross-site"})
-    EXPECT_EQ(changed(3, site), 403u) << site;
+    EXPECT_EQ(put(changed(good, 3, site)), 403u) << site;
 }
 
 TEST(Gate, ComparesTheOriginWithTheListAndNotWithTheHost) {
@@ -171,30 +163,19 @@ TEST(Gate, WantsAnOriginAtTheSocket) {
                     {"Origin", "http://127.0.0.1:8080"},
                     {"Connection", "keep-alive, Upgrade"},
                     {"Upgrade", "WebSocket"}};
-  EXPECT_EQ(status(gate(), good, "socket"), 0u);
-  const std::string target = std::string("/") + gate_token + "/socket";
-  EXPECT_TRUE(gate().judge({"GET", target, good}).is_socket);
-  const auto changed = [&](std::size_t field, std::string_view value) {
-    Fields fields = good;
-    fields[field].second = value;
-    return status(gate(), fields, "socket");
-  };
-  EXPECT_EQ(status(gate(), {good[0], good[2], good[3]}, "socket"), 403u);
-  EXPECT_EQ(changed(1, "http://attacker.example"), 403u);
-  EXPECT_EQ(changed(1, "null"), 403u);
-  EXPECT_EQ(changed(2, "keep-alive"), 400u);
-  EXPECT_EQ(changed(3, "h2c"), 400u);
-  EXPECT_EQ(status(gate(), {good[0], good[1]}, "socket"), 400u);
+  const auto ask = [](const Fields& fields) { return status(gate(), fields, "socket"); };
+  EXPECT_EQ(ask(good), 0u);
+  EXPECT_TRUE(gate().judge({"GET", std::string("/") + gate_token + "/socket", good}).is_socket);
+  EXPECT_EQ(ask(without(good, 1)), 403u);
+  EXPECT_EQ(ask(changed(good, 1, "http://attacker.example")), 403u);
+  EXPECT_EQ(ask(changed(good, 1, "null")), 403u);
+  EXPECT_EQ(ask(changed(good, 2, "keep-alive")), 400u);
+  EXPECT_EQ(ask(changed(good, 3, "h2c")), 400u);
+  EXPECT_EQ(ask({good[0], good[1]}), 400u);
   EXPECT_EQ(status(gate(), good, "socket", "HEAD"), 400u);
-  for (const auto& [site, expected] : {std::pair{"same-origin", 0u},
-                                       {"none", 403u},
-                                       {"same-site", 403u},
-                                       {"cross-site", 403u},
-                                       {"", 403u}}) {
-    Fields fields = good;
-    fields.emplace_back("Sec-Fetch-Site", site);
-    EXPECT_EQ(status(gate(), fields, "socket"), expected) << site;
-  }
+  for (const auto& [site, expected] :
+       {std::pair{"same-origin", 0u}, {"none", 403u}, {"same-site", 403u}, {"cross-site", 403u}, {"", 403u}})
+    EXPECT_EQ(ask(with(good, "Sec-Fetch-Site", site)), expected) << site;
 }
 
 TEST(Gate, LetsOtherSitesOnlyLinkToThePage) {

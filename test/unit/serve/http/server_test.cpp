@@ -1,30 +1,13 @@
 #include "serve/http/server.hpp"
 
-#include <chrono>
-#include <filesystem>
-#include <optional>
-#include <set>
-#include <string>
-#include <thread>
-
 #include <fcntl.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "support/expect_input_error.hpp"
-#include "unit/serve/http/running_server.hpp"
+#include "unit/serve/http/test_server.hpp"
 
 namespace shelfbeam::test {
 namespace {
 
 using testing::HasSubstr;
-
-// Waits until another thread has made it true.
-template <class Condition>
-bool becomes_true(const Condition& condition) {
-  for (int i = 0; i < 2000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return condition();
-}
 
 TEST(Server, SendsAFileOfThePage) {
   const RunningServer server;
@@ -141,65 +124,21 @@ TEST(Server, SurvivesExceptionsOfItsOwner) {
   EXPECT_TRUE(becomes_true([&] { return server.ticks > 5; }));
 }
 
-TEST(Server, SaysFarewellWhenItStops) {
-  RunningServer server;
-  Client idle(server.port());
-  std::thread stop;
-  {
-    Client page = server.tab();
-    EXPECT_TRUE(becomes_true([&] { return server.opened == 1; }));
-    stop = std::thread([&] { server.stop(); });
-    EXPECT_EQ(page.close_code(), 1001u);
-    page.send(Frame{.opcode = Opcode::close, .payload = "\x03\xe9"});
-    EXPECT_EQ(page.rest(), "");
-  }
-  stop.join();
-  EXPECT_EQ(server.closed, 1);
-  EXPECT_EQ(idle.rest(), "");
-}
-
 TEST(Server, StopsInSpiteOfAPageThatDoesNotReply) {
-  RunningServer server({.farewell = std::chrono::milliseconds(50)});
+  RunningServer server({.farewell = milliseconds(50)});
   const Client page = server.tab();
   EXPECT_TRUE(becomes_true([&] { return server.opened == 1; }));
   server.stop();
   EXPECT_EQ(server.closed, 1);
 }
 
-TEST(Server, RefusesWrongOptions) {
-  const auto make = [](serve::http::Options options) {
-    const serve::http::Server server(std::move(options), {});
-  };
-  const RunningServer other;
-  expect_input_error([&] { make({.port = other.port()}); }, "port", "already in use", "choose another port");
-  expect_input_error([&] { make({.address = "192.0.2.1"}); }, "port 0 of 192.0.2.1",
-                     "choose an address of this computer");
-  expect_input_error([&] { make({.address = "localhost"}); }, "localhost", "IPv4");
-  expect_input_error([&] { make({.token = "short"}); }, "token");
-  expect_input_error([&] { make({.hosts = {"http://shop.example"}}); }, "http://shop.example",
-                     "name of a host");
-}
-
 TEST(Server, HasAnAddressThatNobodyGuesses) {
   const serve::http::Server one({}, {}), two({}, {});
   EXPECT_EQ(one.token().size(), 32u);
   EXPECT_NE(one.token(), two.token());
+  expect_input_error([] { const serve::http::Server short_one({.token = "short"}, {}); }, "token");
   EXPECT_THAT(one.addresses(),
               testing::ElementsAre(fmt::format("http://127.0.0.1:{}/{}/", one.port(), one.token())));
-}
-
-// The tests of the system go to the other addresses, which depend on the computer.
-TEST(Server, NamesAllItsAddresses) {
-  const auto first = [](const char* address) {
-    const serve::http::Server server({.address = address}, {});
-    for (const std::string& one : server.addresses())
-      EXPECT_TRUE(one.ends_with(fmt::format(":{}/{}/", server.port(), server.token()))) << one;
-    return server.addresses().front().substr(0, server.addresses().front().find(':', 16));
-  };
-  EXPECT_EQ(first("0.0.0.0"), "http://127.0.0.1");
-  EXPECT_EQ(first("127.0.0.2"), "http://127.0.0.2");
-  const serve::http::Server one({.address = "127.0.0.2"}, {});
-  EXPECT_EQ(one.addresses().size(), 1U);
 }
 
 TEST(Server, TellsAUserWhoComesByAnotherName) {

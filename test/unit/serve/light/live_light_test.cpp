@@ -1,20 +1,11 @@
 #include "serve/light/live_light.hpp"
 
-#include <chrono>
-#include <filesystem>
-#include <string>
-#include <thread>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/file.hpp"
+#include <sys/wait.h>
 
 #include "jobs/preview/light_frame.hpp"
 #include "serve/live/shop.hpp"
-#include "support/temp_folder.hpp"
 #include "unit/plan/plan_store.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 namespace {
@@ -29,7 +20,7 @@ class LiveLightOfAShop : public testing::Test {
 
   // Without an id for a unit, none is selected.
   void write(const std::vector<std::string>& selected, double reflectance = 0.6) {
-    Json json = Json::parse(test::PlanStore().text());
+    Json json = Json::parse(PlanStore().text());
     json["materials"]["paper"]["reflectance"] = reflectance;
     json["transceivers"]["selected"] = selected;
     const ShopChanges changes = shop_.update(json.dump(), ++revision_);
@@ -45,13 +36,11 @@ class LiveLightOfAShop : public testing::Test {
       if ((*message)["event"] == "light") return *message;
     throw std::logic_error("no state");
   }
+  // `later`: as if that time had passed.
+  void look(Clock::duration later = {}) { hear(light_.poll(shop_.draft(), Clock::now() + later)); }
   template <class Is>
-  bool wait(const Is& is, std::chrono::seconds time = 60s) {
-    for (const auto end = Clock::now() + time; Clock::now() < end; std::this_thread::sleep_for(5ms)) {
-      hear(light_.poll(shop_.draft(), Clock::now()));
-      if (is()) return true;
-    }
-    return false;
+  bool wait(const Is& is) {
+    return becomes_true([&] { return look(), is(); });
   }
   bool is_done() const { return state()["phase"] == "done"; }
   // The stages of the columns since a message.
@@ -62,7 +51,7 @@ class LiveLightOfAShop : public testing::Test {
     return list;
   }
 
-  test::TempFolder folder_;
+  TempFolder folder_;
   Shop shop_;
   LiveLight light_{folder_.path(), true, SHELFBEAM_BINARY};
   std::uint64_t revision_ = 0;
@@ -97,15 +86,22 @@ TEST_F(LiveLightOfAShop, IsRefinedByItself) {
   EXPECT_EQ(columns, 2U);
 }
 
+// Waits until the process of the light has ended or stopped, without a look at its messages.
+bool wait_for_process(int change) {
+  return becomes_true([=] {
+    siginfo_t info{};
+    return ::waitid(P_ALL, 0, &info, change | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
+  });
+}
+
 // The process may end between two looks: it has nothing to do after the operator.
 TEST_F(LiveLightOfAShop, GoesOnWithUnitsThatComeWhileItPrepares) {
   write({});
   write({}, 0.5);
-  std::this_thread::sleep_for(400ms);  // so that it starts at the next look
-  hear(light_.poll(shop_.draft(), Clock::now()));
+  look(400ms);  // so that it starts
   write({"T0-0"}, 0.5);
-  std::this_thread::sleep_for(6s);  // the operator is made, and the process has ended
-  ASSERT_TRUE(wait([&] { return is_done() && !stages().empty() && stages().back() == "simulated"; }, 20s))
+  ASSERT_TRUE(wait_for_process(WEXITED));
+  ASSERT_TRUE(wait([&] { return is_done() && !stages().empty() && stages().back() == "simulated"; }))
       << state();
 }
 
@@ -117,15 +113,15 @@ TEST_F(LiveLightOfAShop, PreviewsAllUnitsThatComeAtOnce) {
   ASSERT_GT(ids.size(), 5U);
   const std::size_t from = heard_.size();
   write(ids);
-  for (int k = 0; k < 3; ++k) hear(light_.poll(shop_.draft(), Clock::now()));
+  for (int k = 0; k < 3; ++k) look();
   EXPECT_GE(stages(from).size(), ids.size() - 1);
 }
 
 // No value of an older generation follows the state of a newer one.
 TEST_F(LiveLightOfAShop, DropsValuesOfOlderGenerations) {
-  for (int k = 0; k < 12; ++k) {
-    wait([&] { return !stages().empty(); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(37 * k));
+  for (int k = 0; k < 4; ++k) {
+    const std::size_t from = heard_.size();
+    ASSERT_TRUE(wait([&] { return !stages(from).empty(); }));  // others are on their way
     write({"T0-0", "T3-2"}, 0.6 - 0.01 * k);
   }
   ASSERT_TRUE(wait([&] { return is_done(); }));
@@ -136,7 +132,7 @@ TEST_F(LiveLightOfAShop, DropsValuesOfOlderGenerations) {
       EXPECT_EQ(message["generation"], generation);
     }
   }
-  EXPECT_EQ(generation, 12U) << "the first change of units only does not count";
+  EXPECT_EQ(generation, 4U);
 }
 
 TEST_F(LiveLightOfAShop, AnswersDrags) {
@@ -154,11 +150,13 @@ TEST_F(LiveLightOfAShop, AnswersDrags) {
   EXPECT_EQ(mount["mount"]["name"], "wall 3");
 }
 
-// During a gesture, the process rests: without it, the rest takes less than three seconds.
 TEST_F(LiveLightOfAShop, PausesDuringGestures) {
   ASSERT_TRUE(wait([&] { return !stages().empty(); }));
+  ASSERT_FALSE(is_done());
   light_.hold(1);
-  EXPECT_FALSE(wait([&] { return is_done(); }, 3s));
+  ASSERT_TRUE(wait_for_process(WSTOPPED | WEXITED));
+  look();
+  EXPECT_FALSE(is_done());
   light_.release(1, Clock::now());
   EXPECT_TRUE(wait([&] { return is_done(); }));
 }
@@ -167,19 +165,18 @@ TEST_F(LiveLightOfAShop, SaysWhyThereIsNone) {
   write({});
   ASSERT_TRUE(wait([&] { return state()["operator"] == "fine" && state()["phase"] == "none"; }));
   LiveLight broken(folder_.path(), true, "/bin/false");
-  broken.change(test::PlanStore().text(), 1, shop_.draft(), true, Clock::now() - 1s);
+  broken.change(PlanStore().text(), 1, shop_.draft(), true, Clock::now() - 1s);
   heard_.clear();
-  for (int k = 0; k < 200 && (heard_.empty() || state()["phase"] != "failed"); ++k) {
+  EXPECT_TRUE(becomes_true([&] {
     hear(broken.poll(shop_.draft(), Clock::now()));
-    std::this_thread::sleep_for(5ms);
-  }
-  EXPECT_EQ(state()["phase"], "failed");
+    return !heard_.empty() && state()["phase"] == "failed";
+  }));
   EXPECT_EQ(state()["message"], "the light could not be computed");
 }
 
 TEST_F(LiveLightOfAShop, IsOffOnRequest) {
   LiveLight off(folder_.path(), false, SHELFBEAM_BINARY);
-  off.change(test::PlanStore().text(), 1, shop_.draft(), true, Clock::now() - 1s);
+  off.change(PlanStore().text(), 1, shop_.draft(), true, Clock::now() - 1s);
   heard_.clear();
   hear(off.poll(shop_.draft(), Clock::now()));
   EXPECT_EQ(state()["phase"], "off");
@@ -202,7 +199,7 @@ TEST_F(LiveLightOfAShop, IsComparedWithTheNewestPlan) {
              R"({"model": "non-cooperative", "survives_failure": false})");
   std::filesystem::last_write_time(folder_.path() / "plan/labels.csv",
                                    std::filesystem::file_time_type::clock::now() + 1min);
-  EXPECT_TRUE(wait([&] { return state()["baseline"].is_null(); }, 10s));
+  EXPECT_TRUE(wait([&] { return state()["baseline"].is_null(); }));
 }
 
 }  // namespace

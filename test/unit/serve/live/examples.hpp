@@ -1,24 +1,32 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
-#include <nlohmann/json.hpp>
-
-#include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/json_parser.hpp"
-
+#include "serve/live/shop.hpp"
 #include "serve/text/json_value.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::test {
 
 /// The store file of an example.
-inline std::filesystem::path example(const std::string& name) {
-  return std::filesystem::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
+inline fs::path example(const std::string& name) {
+  return fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
 }
 
-inline serve::Json example_json(const std::string& name) {
-  return parse_json(read_file(example(name)), name);
-}
+/// The shop of an example that is being edited.
+struct EditedShop : serve::Shop {
+  explicit EditedShop(const std::string& name = "grocery")
+      : Shop(example(name)), store(parse_json(read_file(example(name)), name)) {}
+
+  serve::ShopChanges update() { return update(store.dump()); }
+  serve::ShopChanges update(const std::string& text) { return Shop::update(text, ++revision); }
+  /// The part of an element, or null.
+  serve::Json part(const std::string& key) const {
+    for (const serve::Json& part : parts())
+      if (part["key"] == key) return part;
+    return {};
+  }
+
+  serve::Json store;
+  std::uint64_t revision = 0;
+};
 
 }  // namespace shelfbeam::test

@@ -1,25 +1,11 @@
 #include "serve/planning/planning.hpp"
 
-#include <filesystem>
-#include <string>
-#include <utility>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "shelfbeam/base/error.hpp"
-
 #include "serve/live/shop.hpp"
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
 #include "unit/plan/plan_store.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 namespace {
-
-namespace fs = std::filesystem;
-
-using test::expect_input_error;
 
 constexpr auto placement_of_plan =
     R"({"count": 2, "count_lower_bound": 1, "labels": 16, "selected": ["T0-0", "T3-2"], "complete": true,
@@ -38,7 +24,7 @@ class PlanningOfAShop : public testing::Test {
     folder_.write("plan/mounting.csv", "id\n");
     folder_.write("plan/other.txt", "no file of a plan");
     folder_.write("other/report.html", "no plan");
-    read(Json::parse(test::PlanStore().text()));
+    read(Json::parse(PlanStore().text()));
   }
   void read(const Json& store) { shop_.update(store.dump(), ++revision_); }
   Planning::News poll() { return planning_.poll(shop_.json(), shop_.draft(), revision_); }
@@ -48,7 +34,7 @@ class PlanningOfAShop : public testing::Test {
     return planning_.answer(request, shop_.json(), shop_.draft()).value();
   }
 
-  test::TempFolder folder_;
+  TempFolder folder_;
   Shop shop_;
   std::uint64_t revision_ = 0;
   Planning planning_{folder_.path(), "/bin/false"};

@@ -1,86 +1,55 @@
 // Changes by other programs while a project is open, and between two openings.
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <string>
-#include <thread>
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <sys/resource.h>
-
-#include "project_folder.hpp"
-#include "serve/project/project.hpp"
-#include "support/expect_input_error.hpp"
-#include "unit/serve/text/edit_ops.hpp"
+#include "unit/serve/project/project_folder.hpp"
 
 namespace shelfbeam::serve {
 namespace {
 
-namespace fs = std::filesystem;
-using test::expect_input_error;
-
 constexpr std::string_view other_text = "{ \"a\": 1, \"c\": true }\n";
 
-TEST(OutsideChange, IsAStep) {
-  const ProjectFolder folder;
-  Project project(folder.path());
-  EXPECT_FALSE(project.check_outside());
-  folder.write_store(other_text);
-  EXPECT_TRUE(project.check_outside());
-  EXPECT_FALSE(project.check_outside());
-  EXPECT_EQ(project.text(), other_text);
-  EXPECT_EQ(project.revision(), 2u);
-  EXPECT_EQ(project.steps().at(0).label, "Changed outside");
-  project.undo();
-  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
-  project.redo();
-  EXPECT_EQ(folder.store(), other_text);
-}
+class OutsideChange : public OpenProject {
+ protected:
+  void edit() { set_a(1, 2); }
+  void expect_locked(std::string_view reason) {
+    ASSERT_TRUE(project().locked());
+    EXPECT_THAT(*project().locked(), testing::HasSubstr(reason));
+  }
+};
 
-TEST(OutsideChange, OfTheSameSizeAndTimeIsNoticed) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+TEST_F(OutsideChange, OfTheSameSizeAndTimeIsNoticed) {
   const auto time = fs::last_write_time(folder / "store.json");
   std::string text(ProjectFolder::first_text);
   text[text.find("1,")] = '7';
   folder.write_store(text);
   fs::last_write_time(folder / "store.json", time);
-  EXPECT_TRUE(project.check_outside());
+  EXPECT_TRUE(project().check_outside());
 }
 
-TEST(OutsideChange, JustBeforeAnEditIsTakenInFirst) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+TEST_F(OutsideChange, JustBeforeAnEditIsTakenInFirst) {
   folder.write_store(other_text);
-  project.edit("Change a", {to_set("/a", 1, 2)});
+  edit();
   EXPECT_EQ(folder.store(), "{ \"a\": 2, \"c\": true }\n");
-  EXPECT_EQ(project.steps().size(), 2u);
+  EXPECT_EQ(project().steps().size(), 2u);
   folder.write_store(other_text);
-  EXPECT_THROW(project.edit("Change a", {to_set("/a", 2, 3)}), EditConflict);
+  EXPECT_THROW(set_a(2, 3), EditConflict);
   EXPECT_EQ(folder.store(), other_text);
-  EXPECT_EQ(project.steps().size(), 3u);
-  project.go(0);
-  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  EXPECT_EQ(project().steps().size(), 3u);
+  expect_first_text_at_0();
 }
 
-TEST(OutsideChange, JustBeforeUndoIsNotUndone) {
-  const ProjectFolder folder;
-  Project project(folder.path());
-  project.edit("Change a", {to_set("/a", 1, 2)});
+TEST_F(OutsideChange, JustBeforeUndoIsNotUndone) {
+  edit();
   folder.write_store(other_text);
-  expect_input_error([&] { project.undo(); }, "store.json: was changed outside at the same time");
+  expect_input_error([&] { project().undo(); }, "store.json: was changed outside at the same time");
   EXPECT_EQ(folder.store(), other_text);
-  EXPECT_EQ(project.position(), 2u);
+  EXPECT_EQ(project().position(), 2u);
 }
 
 // The project asks for the time between its look at the file and its own change.
-TEST(OutsideChange, DuringAnEditIsTakenInFirst) {
+TEST(OutsideChangeDuringAnEdit, IsTakenInFirst) {
   const ProjectFolder folder;
   int interruptions = 0;
   const auto interrupt = [&] {
@@ -108,7 +77,7 @@ TEST(OutsideChange, DuringAnEditIsTakenInFirst) {
 }
 
 // Another program saves again and again, each time after its text has been seen.
-TEST(OutsideChange, AtNoMomentOfAnEditIsOverwritten) {
+TEST(OutsideChangeDuringAnEdit, IsNeverOverwritten) {
   const ProjectFolder folder("{ \"n\": 0, \"own\": 0 }");
   Project project(folder.path());
   std::atomic<int> seen = 0;
@@ -117,12 +86,11 @@ TEST(OutsideChange, AtNoMomentOfAnEditIsOverwritten) {
     for (int n = 1; n <= saves; ++n) {
       std::ofstream(folder / "other.json") << fmt::format("{{ \"n\": {}, \"own\": 0 }}", n);
       fs::rename(folder / "other.json", folder / "store.json");
-      for (int wait = 0; seen < n && wait < 2000; ++wait)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      for (int wait = 0; seen < n && wait < 2000; ++wait) std::this_thread::sleep_for(milliseconds(1));
       if (seen < n) return;
     }
   });
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto end = std::chrono::steady_clock::now() + seconds(20);
   for (int k = 0; seen < saves && std::chrono::steady_clock::now() < end; ++k) {
     const Json now = Json::parse(project.text());
     seen = now["n"].get<int>();
@@ -135,160 +103,109 @@ TEST(OutsideChange, AtNoMomentOfAnEditIsOverwritten) {
   EXPECT_EQ(seen, saves);
 }
 
-TEST(OutsideChange, WhileNothingRunsIsAStep) {
-  const ProjectFolder folder;
-  {
-    Project(folder.path()).edit("Change a", {to_set("/a", 1, 2)});
-  }
-  folder.write_store(other_text);
-  Project project(folder.path());
-  EXPECT_EQ(project.text(), other_text);
-  EXPECT_EQ(project.position(), 2u);
-  project.go(0);
-  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+TEST_F(OutsideChange, WhileNothingRunsIsAStep) {
+  edit();
+  reopen([&] { folder.write_store(other_text); });
+  EXPECT_EQ(project().text(), other_text);
+  EXPECT_EQ(project().position(), 2u);
+  expect_first_text_at_0();
 }
 
-TEST(OutsideChange, ToAnEarlierTextIsAStep) {
-  const ProjectFolder folder;
-  {
-    Project(folder.path()).edit("Change a", {to_set("/a", 1, 2)});
-  }
-  // Longer than a step of the time of any file system that tests run on.
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  folder.write_store(ProjectFolder::first_text);
-  const Project project(folder.path());
+TEST_F(OutsideChange, ToAnEarlierTextIsAStep) {
+  edit();
+  reopen([&] {
+    // Longer than a step of the time of any file system that tests run on.
+    std::this_thread::sleep_for(milliseconds(20));
+    folder.write_store(ProjectFolder::first_text);
+  });
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
-  EXPECT_EQ(project.position(), 2u);
+  EXPECT_EQ(project().position(), 2u);
 }
 
-TEST(OutsideChange, ThatIsInvalidLocks) {
-  const ProjectFolder folder;
-  Project project(folder.path());
-  project.edit("Change a", {to_set("/a", 1, 2)});
-  const std::string mine = project.text();
+TEST_F(OutsideChange, ThatIsInvalidLocks) {
+  edit();
+  const std::string mine = project().text();
   folder.write_store("{\n  \"a\": }\n");
-  EXPECT_TRUE(project.check_outside());
-  EXPECT_FALSE(project.check_outside()) << "still invalid";
-  ASSERT_TRUE(project.locked());
-  EXPECT_NE(project.locked()->find("store.json: is not valid JSON (parse error at line 2, column 8"),
-            std::string::npos)
-      << *project.locked();
-  EXPECT_EQ(project.text(), mine);
-  for (const auto& change :
-       std::initializer_list<std::function<void()>>{[&] { project.edit("Change a", {to_set("/a", 2, 3)}); },
-                                                    [&] { project.undo(); }, [&] { project.go(0); }})
+  EXPECT_TRUE(project().check_outside());
+  EXPECT_FALSE(project().check_outside()) << "still invalid";
+  expect_locked("store.json: is not valid JSON (parse error at line 2, column 8");
+  EXPECT_EQ(project().text(), mine);
+  for (const auto& change : std::vector<std::function<void()>>{
+           [&] { set_a(2, 3); }, [&] { project().undo(); }, [&] { project().go(0); }})
     expect_input_error(change, "the project: is locked", "line 2, column 8", "restore");
   EXPECT_EQ(folder.store(), "{\n  \"a\": }\n");
   folder.write_store(mine);
-  EXPECT_TRUE(project.check_outside()) << "valid again";
-  EXPECT_FALSE(project.locked());
-  EXPECT_EQ(project.position(), 1u);
-  project.undo();
-}
-
-TEST(OutsideChange, FromInvalidToAnotherTextIsAStep) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+  EXPECT_TRUE(project().check_outside()) << "valid again";
+  EXPECT_FALSE(project().locked());
+  EXPECT_EQ(project().position(), 1u);
+  // From an invalid text to another one.
   folder.write_store("{");
-  EXPECT_TRUE(project.check_outside());
+  EXPECT_TRUE(project().check_outside());
   folder.write_store(other_text);
-  EXPECT_TRUE(project.check_outside());
-  EXPECT_FALSE(project.locked());
-  EXPECT_EQ(project.position(), 1u);
+  EXPECT_TRUE(project().check_outside());
+  EXPECT_FALSE(project().locked());
+  EXPECT_EQ(project().position(), 2u);
 }
 
-TEST(OutsideChange, RestoringKeepsTheOtherFile) {
-  const ProjectFolder folder;
-  Project project(folder.path());
-  project.restore_mine();
+TEST_F(OutsideChange, RestoringKeepsTheOtherFile) {
+  project().restore_mine();
   EXPECT_FALSE(fs::exists(folder / "store.json.outside-1")) << "nothing to restore";
   for (const std::string number : {"1", "2"}) {
     folder.write_store("{ " + number);
-    EXPECT_TRUE(project.check_outside());
-    project.restore_mine();
-    EXPECT_FALSE(project.locked());
+    EXPECT_TRUE(project().check_outside());
+    project().restore_mine();
+    EXPECT_FALSE(project().locked());
     EXPECT_EQ(folder.store(), ProjectFolder::first_text);
     EXPECT_EQ(read_file(folder / ("store.json.outside-" + number)), "{ " + number);
   }
-  EXPECT_FALSE(project.check_outside());
-  project.edit("Change a", {to_set("/a", 1, 2)});
+  EXPECT_FALSE(project().check_outside());
+  edit();
   EXPECT_EQ(read_file(folder / "store.json.outside-2"), "{ 2");
 }
 
-TEST(OutsideChange, ARemovedFileLocks) {
-  const ProjectFolder folder;
-  {
-    Project project(folder.path());
-    fs::remove(folder / "store.json");
-    EXPECT_TRUE(project.check_outside());
-    EXPECT_FALSE(project.check_outside());
-    expect_input_error([&] { project.edit("Change a", {to_set("/a", 1, 2)}); }, "store.json: was removed");
-  }
-  Project project(folder.path());
-  EXPECT_TRUE(project.locked()) << "after a restart";
-  project.restore_mine();
-  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
-  EXPECT_FALSE(project.locked());
-}
-
-TEST(OutsideChange, ToALargeFileLocks) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+TEST_F(OutsideChange, ToALargeFileLocks) {
   folder.write_store("{}" + std::string(max_store_text, ' '));
-  EXPECT_TRUE(project.check_outside());
-  EXPECT_NE(project.locked()->find("has 5,000,002 bytes; the maximum is 5,000,000"), std::string::npos);
+  EXPECT_TRUE(project().check_outside());
+  expect_locked("has 5,000,002 bytes; the maximum is 5,000,000");
 }
 
-TEST(OutsideChange, LinksAreNotFollowed) {
-  const ProjectFolder folder;
-  const test::TempFolder elsewhere;
+TEST_F(OutsideChange, LinksAreNotFollowed) {
+  const TempFolder elsewhere;
   const fs::path target = elsewhere.write("target", other_text);
-  {
-    Project project(folder.path());
-    fs::remove(folder / "store.json");
-    fs::create_symlink(target, folder / "store.json");
-    EXPECT_TRUE(project.check_outside());
-    EXPECT_NE(project.locked()->find("store.json: is a symbolic link"), std::string::npos);
-  }
-  Project project(folder.path());
-  EXPECT_TRUE(project.locked()) << "after a restart";
-  project.restore_mine();
+  fs::remove(folder / "store.json");
+  fs::create_symlink(target, folder / "store.json");
+  EXPECT_TRUE(project().check_outside());
+  expect_locked("store.json: is a symbolic link");
+  reopen();
+  expect_locked("store.json: is a symbolic link");
+  project().restore_mine();
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
   EXPECT_FALSE(fs::is_symlink(folder / "store.json"));
   EXPECT_TRUE(fs::is_symlink(folder / "store.json.outside-1"));
   EXPECT_EQ(read_file(target), other_text);
 }
 
-TEST(OutsideChange, AFolderInThePlaceOfTheFileIsMoved) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+TEST_F(OutsideChange, AFolderInThePlaceOfTheFileIsMoved) {
   fs::remove(folder / "store.json");
   fs::create_directory(folder / "store.json");
-  EXPECT_TRUE(project.check_outside());
-  project.restore_mine();
+  EXPECT_TRUE(project().check_outside());
+  project().restore_mine();
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
   EXPECT_TRUE(fs::is_directory(folder / "store.json.outside-1"));
 }
 
 TEST(ProjectFolderLinks, AreRefused) {
-  const test::TempFolder elsewhere;
+  const TempFolder elsewhere;
   const fs::path target = elsewhere.write("target", other_text);
-  {
+  for (const auto& [link, problem] : {std::pair("store.json", "store.json: is a symbolic link"),
+                                      {".shelfbeam", ".shelfbeam: is not a folder"},
+                                      {".shelfbeam/history.jsonl", "history.jsonl: is a symbolic link"}}) {
     const ProjectFolder folder;
-    fs::remove(folder / "store.json");
-    fs::create_symlink(target, folder / "store.json");
-    expect_input_error([&] { Project project(folder.path()); }, "store.json: is a symbolic link");
-  }
-  {
-    const ProjectFolder folder;
-    fs::create_directory_symlink(elsewhere.path(), folder / ".shelfbeam");
-    expect_input_error([&] { Project project(folder.path()); }, ".shelfbeam: is not a folder");
-  }
-  {
-    const ProjectFolder folder;
-    fs::create_directory(folder / ".shelfbeam");
-    fs::create_symlink(target, folder.history());
-    expect_input_error([&] { Project project(folder.path()); }, "history.jsonl: is a symbolic link");
+    const fs::path place = folder / link;
+    fs::create_directories(place.parent_path());
+    fs::remove(place);
+    fs::create_symlink(place.extension().empty() ? elsewhere.path() : target, place);
+    expect_input_error([&] { Project project(folder.path()); }, problem);
   }
   EXPECT_EQ(elsewhere.count(), 1);
 }
@@ -296,63 +213,53 @@ TEST(ProjectFolderLinks, AreRefused) {
 // Limits the size of files, as a full disk does.
 class FullDisk {
  public:
-  explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
+  explicit FullDisk(rlim_t bytes) : limit_(RLIMIT_FSIZE, bytes) {}
+  ~FullDisk() { std::signal(SIGXFSZ, old_handler_); }
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;
 
  private:
-  void (*old_handler_)(int);
-  rlimit old_{};
+  void (*old_handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+  ProcessLimit limit_;
 };
 
-TEST(FullDisk, LeavesMemoryAndDiskAsTheyWere) {
-  const ProjectFolder folder;
-  Project project(folder.path());
-  project.edit("Change a", {to_set("/a", 1, 2)});
-  const std::string text = project.text(), history = read_file(folder.history());
+class FullDiskTest : public OutsideChange {};
+
+TEST_F(FullDiskTest, LeavesMemoryAndDiskAsTheyWere) {
+  edit();
+  const std::string text = project().text(), history = read_file(folder.history());
   // Nothing fits; the store fits, but only a part of the record; all but the last byte of the record fits.
   for (const std::size_t bytes :
        {std::size_t{0}, text.size() + 1, history.size() + 10, history.size() + 100}) {
     {
       const FullDisk full(bytes);
-      EXPECT_THROW(project.edit("Change a", {to_set("/a", 2, 3)}), OutputError);
-      EXPECT_THROW(project.undo(), OutputError);
+      EXPECT_THROW(set_a(2, 3), OutputError);
+      EXPECT_THROW(project().undo(), OutputError);
     }
-    EXPECT_EQ(project.text(), text);
-    EXPECT_EQ(project.position(), 1u);
-    EXPECT_EQ(project.revision(), 2u);
+    EXPECT_EQ(project().text(), text);
+    EXPECT_EQ(project().position(), 1u);
+    EXPECT_EQ(project().revision(), 2u);
     EXPECT_EQ(folder.store(), text);
     EXPECT_EQ(read_file(folder.history()), history);
   }
-  project.edit("Change a", {to_set("/a", 2, 3)});
-  project.undo();
-  project.undo();
+  set_a(2, 3);
+  project().undo();
+  project().undo();
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
 }
 
-TEST(FullDisk, OutsideChangeWaits) {
-  const ProjectFolder folder;
-  Project project(folder.path());
+TEST_F(FullDiskTest, KeepsTheFileOfTheOtherProgram) {
   folder.write_store(other_text);
   {
     const FullDisk full(0);
-    EXPECT_TRUE(project.check_outside());
-    EXPECT_NE(project.locked().value_or("").find("history.jsonl: cannot be written"), std::string::npos);
-    EXPECT_FALSE(project.check_outside()) << "nothing new";
-    EXPECT_THROW(project.restore_mine(), OutputError);
+    EXPECT_TRUE(project().check_outside());
+    expect_locked("history.jsonl: cannot be written");
+    EXPECT_FALSE(project().check_outside());
+    EXPECT_THROW(project().restore_mine(), OutputError);
     EXPECT_EQ(folder.store(), other_text);
   }
-  EXPECT_TRUE(project.check_outside());
-  EXPECT_FALSE(project.locked());
-  EXPECT_EQ(project.text(), other_text);
+  EXPECT_TRUE(project().check_outside());
+  EXPECT_EQ(project().text(), other_text);
 }
 
 }  // namespace

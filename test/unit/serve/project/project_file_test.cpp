@@ -1,25 +1,9 @@
 #include "serve/project/project_file.hpp"
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/file.hpp"
-
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 namespace {
-
-using test::expect_input_error;
-using test::TempFolder;
 
 std::string number(std::uint64_t value, int bytes, bool is_big) {
   std::string text;

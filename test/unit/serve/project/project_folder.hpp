@@ -1,13 +1,7 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "shelfbeam/base/file.hpp"
-
-#include "support/temp_folder.hpp"
+#include "serve/project/project.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 
@@ -38,7 +32,43 @@ class ProjectFolder {
   }
 
  private:
-  test::TempFolder folder_;
+  TempFolder folder_;
+};
+
+/// A project that is open in a folder, with a clock that stands still.
+class OpenProject : public testing::Test {
+ protected:
+  Project& project() { return *project_; }
+  void close() { project_.reset(); }
+  void reopen(const std::function<void()>& while_closed = [] {}) {
+    close();
+    while_closed();
+    project_.emplace(folder.path(), options());
+  }
+  ProjectOptions options() const {
+    return {.now = [this] { return now; }};
+  }
+  /// Changes "a" of the first text.
+  void set_a(int before, int after, const std::string& label = "Change a") {
+    project().edit(label, {to_set("/a", before, after)});
+  }
+  /// The label of each step, with a sign: whether it is done.
+  std::vector<std::string> labels() {
+    std::vector<std::string> labels;
+    for (const Step& step : project().steps())
+      labels.push_back((labels.size() < project().position() ? "+" : "-") + step.label);
+    return labels;
+  }
+  void expect_first_text_at_0() {
+    project().go(0);
+    EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  }
+
+  ProjectFolder folder;
+  std::chrono::system_clock::time_point now{seconds(1'764'246'632) + milliseconds(123)};
+
+ private:
+  std::optional<Project> project_{std::in_place, folder.path(), options()};
 };
 
 }  // namespace shelfbeam::serve

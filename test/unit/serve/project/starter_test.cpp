@@ -1,29 +1,16 @@
 #include "serve/project/starter.hpp"
 
-#include <filesystem>
-#include <string>
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/plan.hpp"
 #include "shelfbeam/scene/store/completed_fixture.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
-#include "support/temp_folder.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 namespace {
 
-namespace fs = std::filesystem;
-
 using Json = nlohmann::ordered_json;
-using test::TempFolder;
 using testing::IsEmpty;
 
 const std::string catalogue_text = read_file(SHELFBEAM_SOURCE_DIR "/data/catalogue.json");
@@ -133,7 +120,7 @@ PlanOptions options() {
   return options;
 }
 
-TEST(StarterCatalogue, GondolaIsPlanned) {
+TEST(StarterCatalogueSlow, GondolaIsPlanned) {
   const NewShop shop;
   const Json gondola = placed("gondola 1.25 m, double, 1.6 m high", false);
   const Plan plan = make_plan(shop.scene(Json::array({gondola})), options());

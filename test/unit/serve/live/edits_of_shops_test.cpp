@@ -1,16 +1,85 @@
-#include "serve/live/unit_edits.hpp"
+// Tests edits that the server makes: fixtures with places of their own, and units.
 
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
+#include "serve/live/dissolve.hpp"
 #include "serve/live/shop.hpp"
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "serve/live/unit_edits.hpp"
+#include "unit/serve/live/examples.hpp"
+#include "unit/serve/testing.hpp"
 
 namespace shelfbeam::serve {
 namespace {
+
+std::map<std::string, Vec3> labels_of(const Shop& shop) {
+  std::map<std::string, Vec3> places;
+  for (const Label& label : shop.draft().scene.labels) places[label.id] = label.position;
+  return places;
+}
+
+// Fixtures with places of their own stand where the copies stood.
+TEST(Dissolved, FixturesAreWhereTheyWere) {
+  int dissolved = 0;
+  for (const char* name : {"grocery", "market-hall", "chiller", "supermarket"}) {
+    const fs::path file = example(name);
+    Shop shop(file);
+    std::string text = read_file(file);
+    shop.update(text, 1);
+    const auto expected = labels_of(shop);
+    for (std::size_t k = 0; k < shop.json()["fixtures"].size(); ++k) {
+      const std::string pointer = "/fixtures/" + std::to_string(k);
+      const Json whole = shop.details(pointer)["effective"];
+      if (!whole.contains("repeat") && !whole.contains("against")) {
+        EXPECT_THROW(shop.dissolved(pointer), InputError);
+        continue;
+      }
+      ++dissolved;
+      text = edited(text, shop.dissolved(pointer)).text;
+      EXPECT_EQ(text.find("{\n      \""), std::string::npos)
+          << "is in the layout of its neighbours: " << text;
+      shop.update(text, 1);
+      ASSERT_TRUE(shop.problems().empty()) << name << ' ' << pointer << ' ' << shop.problems();
+    }
+    const auto found = labels_of(shop);
+    ASSERT_EQ(found.size(), expected.size()) << name;
+    for (const auto& [id, position] : expected) {
+      ASSERT_TRUE(found.contains(id)) << id;
+      EXPECT_NEAR(length(found.at(id) - position), 0, 1e-8) << id;
+    }
+    for (const Json& part : shop.parts()) EXPECT_TRUE(part["locked"].is_null());
+  }
+  EXPECT_GT(dissolved, 10);
+}
+
+// A row of a catalogue in mm in a store in m, with comments around.
+TEST(Dissolved, KeepsCommentsAndSizes) {
+  const TempFolder folder;
+  write_file(folder.path() / "catalogue.json", R"({"units": "mm", "presets": {
+      "row": {"type": "gondola", "length": 2000, "depth": 900, "height": 1800, "shelves": [300, 900],
+              "rotation_deg": 90, "material": "w", "goods": "w", "stocking": 0.5, "repeat": {"count": 2, "step": [3000, 0]}}}})");
+  const std::string before = R"({"catalogues": ["catalogue.json"], "room": {"size": [20, 15, 4]},
+  "materials": {"w": {"type": "lambertian", "reflectance": 0.5}},
+  "fixtures": [
+    // the north aisle
+    {"preset": "row", "id": "A{n}", "at": [2, 5]},  // as built
+    {"preset": "row", "id": "B{n}", "at": [2, 9]}
+  ]})";
+  Shop shop(folder.path() / "store.json");
+  shop.update(before, 1);
+  const Json problems = shop.problems();  // the store has no labels, for example
+  const Json parts = shop.parts();
+  const std::string after = edited(before, shop.dissolved("/fixtures/0")).text;
+  EXPECT_NE(after.find("    // the north aisle\n    {"), std::string::npos) << after;
+  EXPECT_NE(after.find("// as built\n"), std::string::npos) << after;
+  shop.update(after, 2);
+  EXPECT_EQ(shop.problems(), problems) << after;
+  const auto outlines = [](const Json& list) {
+    std::map<std::string, Json> all;
+    for (const Json& part : list) all[part["id"].get<std::string>()] = {part["outline"], part["height"]};
+    return all;
+  };
+  EXPECT_EQ(outlines(shop.parts()), outlines(parts));
+  EXPECT_EQ(shop.json()["fixtures"][1]["length"], 2);
+  EXPECT_EQ(shop.json()["fixtures"][1]["rotation_deg"], 90);
+}
 
 constexpr auto head = R"({
   "units": "cm",
@@ -62,7 +131,7 @@ class UnitEdits : public testing::Test {
   }
   const Json& units() const { return shop_.json()["transceivers"]; }
 
-  test::TempFolder folder_;
+  TempFolder folder_;
   Shop shop_;
   std::string text_;
 };
@@ -147,32 +216,10 @@ TEST_F(UnitEdits, ChangeSeveralInOneStep) {
   EXPECT_EQ(units()["list"][0]["id"], "U2");
 }
 
-TEST_F(UnitEdits, RefuseANumberThatAnotherUnitHasByNow) {
-  const std::size_t k = index("G1-2-1");
-  const auto request = [&](const std::string& id) {
-    return Json{{"action", "pin"}, {"each", Json::array({{{"index", k}, {"id", id}, {"on", true}}})}};
-  };
-  test::expect_input_error([&] { unit_edit(request("G1-1-1"), shop_.json(), shop_.draft()); },
-                           "another number");
-  EXPECT_EQ(act(request("G1-2-1")), "G1-2-1");
-}
-
-TEST_F(UnitEdits, RefuseValuesThatNoStoreHas) {
-  const auto refuses = [&](const Json& values, const std::string& word) {
-    Json request{{"action", "change"}, {"index", index("A")}};
-    request.update(values);
-    test::expect_input_error([&] { unit_edit(request, shop_.json(), shop_.draft()); }, word);
-  };
-  refuses({{"power", 0}}, "power");
-  refuses({{"power", 1e9}}, "power");
-  refuses({{"axis", {0, 0, 0}}}, "axis");
-  refuses({{"roll_deg", 1e4}}, "roll_deg");
-}
-
 TEST_F(UnitEdits, RefuseWhatAPatternDecides) {
-  test::expect_input_error([&] { mark("pin", "G1-5-1", true); }, "G1-5-1", "excluded by the pattern");
-  test::expect_input_error([&] { act({{"action", "place"}, {"type", "t"}, {"position", {9.5, 5.5, 2.9}}}); },
-                           "keep-out area");
+  expect_input_error([&] { mark("pin", "G1-5-1", true); }, "G1-5-1", "excluded by the pattern");
+  expect_input_error([&] { act({{"action", "place"}, {"type", "t"}, {"position", {9.5, 5.5, 2.9}}}); },
+                     "keep-out area");
   EXPECT_THROW(act({{"action", "place"}, {"type", "other"}, {"position", {1, 2, 2.95}}}), InputError);
   EXPECT_THROW(act({{"action", "change"}, {"index", 99}}), InputError);
   EXPECT_THROW(act({{"action", "dance"}, {"index", 0}, {"on", true}}), InputError);

@@ -1,21 +1,14 @@
-// Pages that misuse their WebSocket.
+// Pages that misuse their WebSocket, and many connections.
 
 #include <atomic>
-#include <chrono>
-#include <string>
-#include <string_view>
-#include <thread>
-#include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <fcntl.h>
 
-#include "unit/serve/http/attacked_server.hpp"
+#include "support/processor_time.hpp"
+#include "unit/serve/http/test_server.hpp"
 
 namespace shelfbeam::test {
 namespace {
-
-using std::chrono::milliseconds;
 
 constexpr std::size_t largest = 1 << 20;
 
@@ -180,21 +173,135 @@ TEST_F(SilentSocketAttack, EndsThePage) {
   int pings = 0;
   while (const auto frame = silent.frame()) pings += frame->opcode == Opcode::ping ? 1 : 0;
   EXPECT_EQ(pings, 1);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(10));
 }
 
 TEST_F(SilentSocketAttack, WithUnreadMessagesEndsThePage) {
   // One message that is too large for the buffers of the kernel, and more messages than may wait.
   for (const auto& [wish, times] : {std::pair{"size 30000000", 1}, {"size 1000000", 20}}) {
     Client other = server.tab(4096);
-    bool is_open = true;
+    int sent = 0;
     // It sends pongs, so only what it does not read can end it.
-    for (int i = 0; i < 500 && is_open; ++i) {
-      is_open = other.send(i < times ? Frame{.payload = wish} : Frame{.opcode = Opcode::pong});
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    EXPECT_FALSE(is_open);
+    EXPECT_TRUE(becomes_true([&, wish = wish, times = times] {
+      return !other.send(sent++ < times ? Frame{.payload = wish} : Frame{.opcode = Opcode::pong});
+    }));
   }
+}
+
+class Crowd : public AttackedServer {};
+
+TEST_F(Crowd, OfStrangersGivesWayToTheOwner) {
+  std::vector<Client> strangers;
+  for (int i = 0; i < 200; ++i) {
+    strangers.emplace_back(server.port());
+    if (i % 50 == 49) {
+      EXPECT_TRUE(server.answers(page)) << i;
+    }
+  }
+  EXPECT_EQ(strangers.front().rest(), "") << "the oldest is dropped";
+}
+
+TEST_F(Crowd, OfPagesIsLimited) {
+  std::vector<Client> pages;
+  for (int i = 1; i < 64; ++i) pages.push_back(server.tab());
+  Client one_more(server.port());
+  one_more.send(server.request("page.txt"));
+  EXPECT_EQ(one_more.rest(), "");
+  for (Client& other : pages) {
+    other.send(Frame{.payload = "hello"});
+    EXPECT_EQ(other.message(), "hello");
+  }
+  pages.pop_back();
+}
+
+TEST_F(Crowd, OfIdleConnectionsGivesWay) {
+  std::vector<Client> idle;
+  for (int i = 0; i < 200; ++i) {
+    idle.emplace_back(server.port()).send(server.request("page.txt"));
+    EXPECT_THAT(idle.back().answer(), testing::EndsWith("the page"));
+  }
+}
+
+TEST_F(Crowd, OfStrangersLeavesIdleConnectionsOfTheOwner) {
+  Client idle(server.port());
+  idle.send(server.request("page.txt"));
+  EXPECT_THAT(idle.answer(), testing::EndsWith("the page"));
+  std::vector<Client> strangers;
+  strangers.reserve(100);
+  for (int i = 0; i < 100; ++i) strangers.emplace_back(server.port());
+  EXPECT_TRUE(server.answers(page));
+  idle.send(server.request("page.txt"));
+  EXPECT_THAT(idle.answer(), testing::EndsWith("the page"));
+}
+
+// The files of this process up to its limit.
+class UsedUpDescriptors {
+ public:
+  explicit UsedUpDescriptors(rlim_t limit) : limit_(RLIMIT_NOFILE, limit) {
+    for (int file = 0; (file = ::open("/dev/null", O_RDONLY)) >= 0;) files_.push_back(file);
+  }
+  ~UsedUpDescriptors() {
+    while (!files_.empty()) free_one();
+  }
+  UsedUpDescriptors(const UsedUpDescriptors&) = delete;
+  UsedUpDescriptors& operator=(const UsedUpDescriptors&) = delete;
+
+  void free_one() {
+    ::close(files_.back());
+    files_.pop_back();
+  }
+
+ private:
+  ProcessLimit limit_;
+  std::vector<int> files_;
+};
+
+TEST_F(Crowd, WithoutDescriptorsWaits) {
+  std::optional<UsedUpDescriptors> full(std::in_place, 200);
+  full->free_one();
+  Client client(server.port());  // takes the last one
+  client.send(server.request("page.txt"));
+  const ProcessorTime time;
+  std::this_thread::sleep_for(milliseconds(300));
+  page.send(Frame{.payload = "hello"});
+  EXPECT_EQ(page.message(), "hello");
+  EXPECT_LT(time.seconds(), 0.05 * slowness) << "the server spins";
+  full.reset();
+  EXPECT_THAT(client.answer(), testing::EndsWith("the page"));
+}
+
+class SlowCrowd : public Crowd {
+  ProcessLimit limit_{RLIMIT_NOFILE, 4096};
+};
+
+TEST_F(SlowCrowd, OfTenThousandOneByOneLeavesNoTrace) {
+  for (int i = 0; i < 10'000; ++i) {
+    const Client client(server.port());
+    if (i % 3 > 0)
+      client.send(i % 3 == 1 ? "GET / HTTP" : "GET / HTTP/1.1\r\nHost: attacker.example\r\n\r\n");
+    if (i % 1000 == 0) {
+      EXPECT_TRUE(server.answers(page)) << i;
+    }
+  }
+}
+
+TEST_F(SlowCrowd, OfAThousandAtOnceKeepsTheOwner) {
+  std::vector<Client> crowd;
+  for (int i = 0; i < 1000; ++i) crowd.emplace_back(server.port()).send("GET / HTTP/1.1\r\nHost: ");
+  for (int round = 0; round < 10; ++round) {
+    for (const Client& client : crowd) client.send("x");
+    EXPECT_TRUE(server.answers(page)) << round;
+  }
+}
+
+TEST_F(SlowCrowd, OfPagesThatDoNotReadIsBounded) {
+  // Each has a message on its way and a queue that is almost full.
+  std::vector<Client> crowd;
+  for (int i = 0; i < 20; ++i) {
+    crowd.push_back(server.tab(4096));
+    for (int k = 0; k < 9; ++k) crowd.back().send(Frame{.payload = "size 1000000"});
+  }
+  EXPECT_TRUE(server.answers(page));
 }
 
 }  // namespace
