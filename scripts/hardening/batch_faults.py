@@ -15,7 +15,7 @@ from pathlib import Path
 from trials import PROGRAM, ROOT, STORE, Outcome, start
 
 os.environ.setdefault("SHELFBEAM", PROGRAM)
-sys.path.insert(0, str(ROOT / "test/system/batch"))
+sys.path[:0] = [str(ROOT / "test/system/batch"), str(ROOT / "test/support")]
 
 import chain  # noqa: E402
 

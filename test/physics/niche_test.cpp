@@ -35,7 +35,7 @@ double spread(const Scene& scene) {
 
 // With 12 seeds, the spread has an error of about 9 %. The control has the same surfaces, but its room tells
 // of another wall, which closes the gap.
-TEST(Niche, IsLitPreciselyThroughAGap) {
+TEST(NicheSlow, IsLitPreciselyThroughAGap) {
   Scene scene = make_scene(read_store(SHELFBEAM_SOURCE_DIR "/test/data/field/niche.json"));
   EXPECT_LT(spread(scene), 0.12);
   scene.room->inner_walls.push_back({"lid", {8, 3.8}, {8, 4}, 0.1, {}, {}});

@@ -171,31 +171,30 @@ struct Store {
   Effort effort;
 };
 
-// Errors are 2 to 10 % for typical entries. The most precise entries clearly reject the controls.
-const Store stores[] = {
-    {"DiffuseAndGlossy", glossy, test::nee, {4, 20000, 0.03, 1.04}},
-    {"MirrorPaneAndGlassWithPoints", [] { return glass(false); }, test::nee, {8, 30000, 0.04, 1.04}},
-    {"MirrorPaneAndGlassWithDiscsAndRectangles",
-     [] { return glass(true); },
-     test::mis,
-     {2, 6000, 0.13, 1.12}},
-    {"LopsidedUnitsAndRoughThings", lopsided, test::nee, {8, 25000, 0.12, 1.09}},
-    {"Coats", coats, test::nee, {4, 25000, 0.07, 1.07}},
-    {"DarkDoors", dark_doors, test::nee, {16, 50000, 0.045, 1.05}},
-    {"OtherUnitsAndResponses", other_devices, test::nee, {16, 100000, 0.03, 1.03}},
-    {"ShiningBoard", [] { return lamp(false, 0); }, test::mis, {16, 30000, 0.045, 1.08}},
-    {"ShiningBoardAndPoints", [] { return lamp(true, 0); }, test::mis, {16, 50000, 0.045, 1.05}},
-    {"ShiningBoardAndDiscs", [] { return lamp(true, 0.3); }, test::mis, {16, 50000, 0.05, 1.08}}};
+// Errors are 2 to 13 % for typical entries. The most precise entries clearly reject the controls.
+const Store stores[] = {{"DiffuseAndGlossy", glossy, test::nee, {4, 20000, 0.03, 1.04}},
+                        {"MirrorPaneAndGlassWithDiscsAndRectangles",
+                         [] { return glass(true); },
+                         test::mis,
+                         {2, 6000, 0.13, 1.12}},
+                        {"LopsidedUnitsAndRoughThings", lopsided, test::nee, {8, 25000, 0.12, 1.09}},
+                        {"Coats", coats, test::nee, {4, 25000, 0.07, 1.07}}};
 
-// The glossy store and those with the largest errors, now with errors of 2 to 7 %.
+// The same stores with errors of 2 to 7 %, and others.
 const Store precise_stores[] = {
     {"DiffuseAndGlossy", glossy, test::nee, {18, 110000, 0.022, 1.025}},
+    {"MirrorPaneAndGlassWithPoints", [] { return glass(false); }, test::nee, {8, 30000, 0.04, 1.04}},
     {"MirrorPaneAndGlassWithDiscsAndRectangles",
      [] { return glass(true); },
      test::mis,
      {16, 60000, 0.07, 1.07}},
     {"LopsidedUnitsAndRoughThings", lopsided, test::nee, {60, 220000, 0.06, 1.05}},
-    {"Coats", coats, test::nee, {18, 130000, 0.045, 1.05}}};
+    {"Coats", coats, test::nee, {18, 130000, 0.045, 1.05}},
+    {"DarkDoors", dark_doors, test::nee, {16, 50000, 0.045, 1.05}},
+    {"OtherUnitsAndResponses", other_devices, test::nee, {16, 100000, 0.03, 1.03}},
+    {"ShiningBoard", [] { return lamp(false, 0); }, test::mis, {16, 30000, 0.045, 1.08}},
+    {"ShiningBoardAndPoints", [] { return lamp(true, 0); }, test::mis, {16, 50000, 0.045, 1.05}},
+    {"ShiningBoardAndDiscs", [] { return lamp(true, 0.3); }, test::mis, {16, 50000, 0.05, 1.08}}};
 
 // Tests all entries together at 0.1 %.
 void expect_agreement(const Store& store) {

@@ -12,4 +12,11 @@ inline std::string with_line_ends(std::string_view text, std::string_view end) {
   return result;
 }
 
+/// The ASCII text in UTF-16, little-endian and with its mark.
+inline std::string in_utf16(std::string_view text) {
+  std::string result = "\xFF\xFE";
+  for (const char c : text) result += {c, '\0'};
+  return result;
+}
+
 }  // namespace shelfbeam::test

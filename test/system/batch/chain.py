@@ -2,23 +2,38 @@
 
 import csv
 import json
-import os
-import pathlib
 import sqlite3
-import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).parents[3]
-PROGRAM = os.environ["SHELFBEAM"]
+from harness import ROOT, ProgramTest, output
+
 EFFORT_COLUMNS = ["runs", "cpu_s", "wall_s", "peak_memory"]
+TINY = ROOT / "test/data/field/batch/tiny.json"
+QUICK = "-- --samples 64 --estimator uniform --no-certificate"  # no decision depends on time
 
 
 def make_chain(folder, *arguments):
-    subprocess.run([sys.executable, ROOT / "scripts/make-chain", folder, *map(str, arguments)], check=True)
+    output(ROOT / "scripts/make-chain", folder, *arguments, program=sys.executable)
 
 
-def shelfbeam(*arguments, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, **options)
+class BatchTest(ProgramTest):
+    """Plans the shops of the folder t to the folder r."""
+
+    def setUp(self):
+        super().setUp()
+        self.shops, self.results = self.folder / "t", self.folder / "r"
+
+    def add_shop(self, name, store=None):
+        """Adds a shop, by default a tiny one, and returns its file."""
+        return self.write(self.shops / name / "store.json", TINY.read_bytes() if store is None else store)
+
+    def batch(self, options="", status=0, source="t", **process):
+        end = self.run_here(f"batch {source} -o r {options}", **process)
+        self.assertEqual(end.status, status, end.err)
+        return end
+
+    def statuses(self):
+        return {row["name"]: row["status"] for row in rows(self.results)}
 
 
 def tables(folder):

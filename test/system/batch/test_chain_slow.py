@@ -3,13 +3,13 @@
 import os
 import pathlib
 import random
-import signal
 import subprocess
 import tempfile
 import unittest
 
 import chain
 import slurm
+from harness import Process, run
 
 SHOPS, KILLS, NODE_KILLS = 20, 7, int(os.environ.get("NODE_KILLS", "2"))
 OPTIONS = ["--", "--samples", "2000"]  # no decision depends on time
@@ -21,10 +21,10 @@ class Disturbed(unittest.TestCase):
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         cls.shops, cls.whole = cls.folder / "shops", cls.folder / "whole"
         chain.make_chain(cls.shops, "--count", SHOPS)
-        cls.ended = chain.shelfbeam("batch", cls.shops, "-o", cls.whole, *OPTIONS)
+        cls.ended = run("batch", cls.shops, "-o", cls.whole, *OPTIONS)
 
     def setUp(self):
-        self.assertEqual(self.ended.returncode, 1, self.ended.stderr)
+        self.assertEqual(self.ended.status, 1, self.ended.err)
         statuses = [row["status"] for row in chain.rows(self.whole)]
         self.assertEqual(
             {name: statuses.count(name) for name in sorted(set(statuses))},
@@ -34,20 +34,17 @@ class Disturbed(unittest.TestCase):
     def test_a_batch_that_is_killed(self):
         killed, rng, kills = self.folder / "killed", random.Random(1), 0
         while True:
-            process = subprocess.Popen(
-                [chain.PROGRAM, "batch", self.shops, "-o", killed, "--resume", *OPTIONS],
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.PIPE,
-                text=True,
-            )
+            process = Process("batch", self.shops, "-o", killed, "--resume", *OPTIONS)
+            self.addCleanup(process.close)
             try:
-                _, err = process.communicate(timeout=rng.uniform(0.1, 2.5) if kills < KILLS else None)
-                self.assertEqual(process.returncode, 1, err)
-                break
+                process.process.wait(rng.uniform(0.1, 2.5) if kills < KILLS else None)
             except subprocess.TimeoutExpired:
-                process.send_signal(signal.SIGKILL)
-                process.communicate()
+                process.kill()
                 kills += 1
+                continue
+            end = process.wait()
+            self.assertEqual(end.status, 1, end.err)
+            break
         self.assertEqual(kills, KILLS, "the batch ended before all kills")
         self.assertEqual(chain.differences(killed, self.whole), [])
         # The control: one different byte is found.
@@ -66,23 +63,10 @@ class Disturbed(unittest.TestCase):
         self.addCleanup(cluster.stop)  # before the folder is removed
         cluster.start()
         results = self.folder / "cluster"
-        ended = chain.shelfbeam(
-            "batch",
-            self.shops,
-            "-o",
-            results,
-            "--slurm",
-            "--tasks",
-            SHOPS // 2,
-            "--memory",
-            "1G",
-            "--task-time",
-            "30",
-            *OPTIONS,
-            env=cluster.environment,
-        )
-        self.assertEqual(ended.returncode, 0, ended.stderr)
-        self.assertIn(f"{SHOPS} stores in {SHOPS // 2} tasks are queued as job ", ended.stdout)
+        limits = ["--tasks", SHOPS // 2, "--memory", "1G", "--task-time", 30]
+        ended = run("batch", self.shops, "-o", results, "--slurm", *limits, *OPTIONS, env=cluster.environment)
+        self.assertEqual(ended.status, 0, ended.err)
+        self.assertIn(f"{SHOPS} stores in {SHOPS // 2} tasks are queued as job ", ended.out)
 
         def records():
             return len(list((results / "records").glob("*.json")))
@@ -109,7 +93,3 @@ class Disturbed(unittest.TestCase):
         cluster.wait(has_stopped, "a task that is stopped", 300, pause=0.7)
         cluster.wait(lambda: not cluster.jobs(), "the results", 600)
         self.assertEqual(chain.differences(results, self.whole), [], cluster.logs())
-
-
-if __name__ == "__main__":
-    unittest.main()

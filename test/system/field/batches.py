@@ -3,14 +3,14 @@
 import csv
 import os
 import shutil
-import signal
-import subprocess
 import time
+from collections import Counter
 
-from rows import INPUTS, PROGRAM, Row, refuses, run
+from harness import Process
+from rows import INPUTS, Row, equals, refuses, run
 
 DATA = INPUTS / "batch"
-PLAN = ("--", "--samples", "64", "--budget", "1", "--no-certificate")
+PLAN = "-- --samples 64 --estimator uniform --no-certificate"
 
 
 def shop(scratch, *names):
@@ -23,12 +23,11 @@ def shop(scratch, *names):
 def statuses(scratch):
     """Status -> number of stores."""
     with open(scratch / "r/results.csv", newline="", encoding="utf-8") as file:
-        found = [row["status"] for row in csv.DictReader(file)]
-    return {status: found.count(status) for status in sorted(set(found))}
+        return Counter(row["status"] for row in csv.DictReader(file))
 
 
-def batch(scratch, source, *options):
-    return run("batch", source, "-o", "r", *options, *PLAN, folder=scratch)
+def batch(scratch, source, options=""):
+    return run(f"batch {source} -o r {options} {PLAN}", folder=scratch)
 
 
 def plan_list(scratch, name, *names):
@@ -83,18 +82,14 @@ def interrupt_at_start(scratch):
     lost = 0
     for trial in range(6):
         shutil.rmtree(scratch / "r", ignore_errors=True)
-        process = subprocess.Popen(
-            [PROGRAM, "batch", "t", "-o", "r", "--jobs", "1", "--threads", "1", *PLAN],
-            cwd=scratch,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        while process.poll() is None and not list(scratch.glob("r/records/*.json")):
-            time.sleep(0.001)
+        # With the default estimator, a plan takes long enough to be interrupted.
+        plan = PLAN.replace("--estimator uniform", "")
+        process = Process(f"batch t -o r --jobs 1 --threads 1 {plan}", folder=scratch)
+        process.wait_until(lambda: list(scratch.glob("r/records/*.json")))
         time.sleep(0.015 * trial)
-        process.send_signal(signal.SIGINT)
-        process.wait()
-        lost += batch(scratch, "t", "--resume").status != 0
+        process.end()
+        process.close()
+        lost += run(f"batch t -o r --resume {plan}", folder=scratch).status != 0
     return lost
 
 
@@ -105,37 +100,33 @@ def percent_in_path(scratch):
     (scratch / "bin/sbatch").write_text('#!/bin/sh\nprintf "%s\\n" "$@" >>sbatch.log\necho 7\n')
     (scratch / "bin/sbatch").chmod(0o755)
     path = f"{scratch}/bin:{os.environ['PATH']}"
-    run("batch", "t", "-o", "sale 50%off", "--slurm", *PLAN, folder=scratch, env={**os.environ, "PATH": path})
+    run(f"batch t -o 'sale 50%off' --slurm {PLAN}", folder=scratch, env={**os.environ, "PATH": path})
     words = (scratch / "sbatch.log").read_text().splitlines()
     return [word.removeprefix(f"--output={scratch}/") for word in words if word.startswith("--output=")]
 
 
-def equals(value):
-    return lambda result: result == value
+def row(name, expected, measure, **statuses):
+    return Row(name, expected, measure, equals(statuses))
 
 
+LONG, MARK = "list_long_name.txt", "list_bom.txt"
 ROWS = [
-    Row(
-        "list_long_name.txt",
-        "the long name failed, the other planned",
-        from_list("list_long_name.txt", "a"),
-        equals({"failed": 1, "planned": 1}),
-    ),
+    row(LONG, "the long name failed, the other planned", from_list(LONG, "a"), failed=1, planned=1),
     Row(
         "list_utf16.txt",
         "is UTF-16; save it as UTF-8",
         lambda scratch: plan_list(scratch, "list_utf16.txt", "a"),
         refuses("UTF-16", "UTF-8"),
     ),
-    Row("list_bom.txt", "both planned", from_list("list_bom.txt", "a", "b"), equals({"planned": 2})),
-    Row("list_mark.txt", "planned", list_mark, equals({"planned": 1})),
-    Row("tree_record_file_and_folder.sh", "three planned", file_and_folder, equals({"planned": 3})),
-    Row("tree_link_to_itself.sh", "b failed, a planned", link_to_itself, equals({"failed": 1, "planned": 1})),
-    Row(
+    row(MARK, "both planned", from_list(MARK, "a", "b"), planned=2),
+    row("list_mark.txt", "planned", list_mark, planned=1),
+    row("tree_record_file_and_folder.sh", "three planned", file_and_folder, planned=3),
+    row("tree_link_to_itself.sh", "b failed, a planned", link_to_itself, failed=1, planned=1),
+    row(
         "record_of_another_store.sh",
         "--collect names the record, --resume plans b again",
         record_of_another_store,
-        equals({"planned": 2}),
+        planned=2,
     ),
     Row("interrupt_at_start.py", "0 of 6 batches are lost", interrupt_at_start, equals(0), is_slow=True),
     Row(

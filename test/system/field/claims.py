@@ -6,10 +6,14 @@ import html
 import json
 import re
 
-from rows import INPUTS, Row, expect_success, run
+from rows import INPUTS, Row, equals, output, run
 
 STORE = "two_prices.json"
 AMOUNT = r"([0-9,]+(?:\.[0-9]+)?) EUR"
+
+
+def placement(folder):
+    return json.loads((folder / "placement.json").read_text(encoding="utf-8"))
 
 
 def first_page(folder):
@@ -45,13 +49,12 @@ def faults(page, plan):
     return found
 
 
-def planned(*options):
+def planned(options):
     def measure(scratch):
-        end = run("plan", INPUTS / STORE, "-o", scratch / "plan", "--quiet", *options)
+        end = run(f"plan {STORE} -o {scratch}/plan --quiet {options}")
         if end.status not in (0, 3):
             raise RuntimeError(str(end))
-        plan = json.loads((scratch / "plan/placement.json").read_text(encoding="utf-8"))
-        return faults(first_page(scratch / "plan"), plan) or "no fault"
+        return faults(first_page(scratch / "plan"), placement(scratch / "plan")) or "no fault"
 
     return measure
 
@@ -60,23 +63,22 @@ def batch_bounds(scratch):
     """The bound of a store in results.csv, and that of its certificate."""
     (scratch / "stores").mkdir()
     (scratch / "stores/a.json").write_bytes((INPUTS / STORE).read_bytes())
-    expect_success(run("batch", scratch / "stores", "-o", scratch / "r", "--quiet", "--", "--lexicographic"))
-    plan = json.loads((scratch / "r/plans/a/placement.json").read_text(encoding="utf-8"))
+    output("batch stores -o r --quiet -- --lexicographic", folder=scratch)
     with open(scratch / "r/results.csv", newline="", encoding="utf-8") as file:
-        return int(next(csv.DictReader(file))["lower_bound"]), plan["certificate"]["count_lower_bound"]
+        bound = int(next(csv.DictReader(file))["lower_bound"])
+    return bound, placement(scratch / "r/plans/a")["certificate"]["count_lower_bound"]
 
 
 ROWS = [
-    Row("certified as for the matrix", "no fault", planned(), lambda end: end == "no fault", is_slow=True),
-    Row("greedy selection", "no fault", planned("--solver", "greedy"), lambda end: end == "no fault", is_slow=True),
-    Row(
-        "budget for a part of the bound",
-        "no fault",
-        planned("--budget", "0.2", "--survive-failure"),
-        lambda end: end == "no fault",
-        is_slow=True,
+    *(
+        Row(name, "no fault", planned(options), equals("no fault"), is_slow=True)
+        for name, options in (
+            ("certified as for the matrix", ""),
+            ("greedy selection", "--solver greedy"),
+            ("budget for a part of the bound", "--budget 0.2 --survive-failure"),
+            ("no budget", "--budget 0.001"),
+        )
     ),
-    Row("no budget", "no fault", planned("--budget", "0.001"), lambda end: end == "no fault", is_slow=True),
     Row(
         "bound in the results of a batch",
         "that of the certificate",

@@ -1,28 +1,22 @@
 """Names in mounting.dxf that CAD programs would take for codes, and the unit of the drawing."""
 
-import json
 import re
 
-from rows import INPUTS, Row, expect_success, run
+from rows import Row, input_store, output, write_store
 
 IDS = ["Ü1", "Ö1", "\\U+00DC1", "at 45%%d", "50%", "a^J", "%%c%%c", "😀", "?1"]
 
 
-def pairs(text):
-    lines = text.rstrip("\n").split("\n")
-    return list(zip(map(int, lines[0::2]), lines[1::2]))
-
-
 def drawn(scratch):
-    """The drawing of a plan in which units of these ids are mounted."""
-    store = json.loads((INPUTS / "plain_store.json").read_text(encoding="utf-8"))
-    store["transceivers"]["list"] = [
-        {"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(IDS)
-    ]
-    store["transceivers"]["installed"] = IDS
-    (scratch / "store.json").write_text(json.dumps(store), encoding="utf-8")
-    expect_success(run("plan", "store.json", "-o", "plan", "--samples", "256", "--budget", "1", folder=scratch))
-    return pairs((scratch / "plan/mounting.dxf").read_bytes().decode("ascii"))
+    """The (code, value) pairs of the drawing of a plan in which units of these ids are mounted."""
+    store = input_store("plain_store.json")
+    store["transceivers"] = {
+        "list": [{"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(IDS)],
+        "installed": IDS,
+    }
+    output("plan", write_store(scratch, store), *"-o plan --samples 256 --no-certificate".split(), folder=scratch)
+    lines = (scratch / "plan/mounting.dxf").read_text(encoding="ascii").rstrip("\n").split("\n")
+    return list(zip(map(int, lines[0::2]), lines[1::2]))
 
 
 def shown(text):
@@ -35,23 +29,19 @@ def shown(text):
     return text.encode("utf-16-le", "surrogatepass").decode("utf-16-le").replace("\u200b", "")
 
 
-def ids(scratch):
+def ids_and_note(scratch):
     groups = drawn(scratch)
-    values = [
-        shown(before[1])
-        for before, after in zip(groups, groups[1:])
-        if before[0] == 1 and after == (2, "ID") and before[1]
-    ]
-    return sorted(values)
-
-
-def notes(scratch):
-    groups = drawn(scratch)
+    values = [before[1] for before, after in zip(groups, groups[1:]) if before[0] == 1 and after == (2, "ID")]
     begin = groups.index((0, "TEXT"))
-    return next(value for code, value in groups[begin:] if code == 1)
+    note = next(value for code, value in groups[begin:] if code == 1)
+    return sorted(shown(value) for value in values if value), note
 
 
 ROWS = [
-    Row("ids in mounting.dxf", "as in the store", ids, lambda found: found == sorted(IDS)),
-    Row("unit of mounting.dxf", "metres", notes, lambda text: "1 drawing unit = 1 m" in text),
+    Row(
+        "mounting.dxf",
+        "ids as in the store, unit metres",
+        ids_and_note,
+        lambda found: found[0] == sorted(IDS) and "1 drawing unit = 1 m" in found[1],
+    )
 ]

@@ -2,22 +2,19 @@
 
 import json
 
-from rows import Row, between, expect_success, refuses, run, signals
+from rows import Row, between, ends, output, refuses, signals
 
 
-def area(store, material="body"):
-    def measure(_):
-        return json.loads(expect_success(run("inspect", store, "--json")).out)["materials"][material]["area_m2"]
-
-    return measure
+def area(store):
+    return lambda _: json.loads(output("inspect", store, "--json"))["materials"]["body"]["area_m2"]
 
 
-def area_row(store, value, name=""):
-    return Row(name or store, f"{value} m2 of 'body'", area(store), between(value - 0.005, value + 0.005))
+def area_row(store, value):
+    return Row(store, f"{value} m2 of 'body'", area(store), between(value - 0.005, value + 0.005))
 
 
 def refused_row(store, *words):
-    return Row(store, "refused: " + ", ".join(words), lambda _: run("inspect", store), refuses(*words))
+    return Row(store, "refused: " + ", ".join(words), ends("inspect", store), refuses(*words))
 
 
 ROWS = [

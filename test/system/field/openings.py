@@ -4,18 +4,16 @@ The tables STORE_truth.csv are the signals by particles, which start at the unit
 simulate STORE.json --estimator uniform --strategy particle --direct exact --samples 400000 --seed 77
 """
 
-import csv
 from functools import partial
 
-from rows import INPUTS, Row, expect_success, run
+from rows import INPUTS, Row, output, table
 
 SEEDS = range(1, 9)
 STUDENT = 2.131  # 95 %, 15 degrees of freedom
 
 
-def column(table, unit):
-    with open(table, newline="", encoding="utf-8") as file:
-        names, *lines = csv.reader(file)
+def column(path, unit):
+    names, *lines = table(path)
     return [float(line[names.index(unit)]) for line in lines]
 
 
@@ -26,12 +24,11 @@ def shares(store, unit, scratch):
     found = []
     for seed in SEEDS:
         out = scratch / f"{seed}.h5"
-        expect_success(run("simulate", f"{store}.json", "-o", out, "--samples", 2096, "--seed", seed, "--quiet"))
+        output(f"simulate {store}.json -o {out} --samples 2096 --seed {seed} --quiet")
         estimates = []
         for what in ("mean", "standard-error"):
-            table = scratch / f"{seed}_{what}.csv"
-            expect_success(run("export", out, "--what", what, "-o", table))
-            estimates.append(column(table, unit))
+            output(f"export {out} --what {what} -o {scratch}/{what}.csv")
+            estimates.append(column(scratch / f"{what}.csv", unit))
         found += [abs(mean - true) / error for mean, error, true in zip(*estimates, truth)]
     limits = (sum(z <= STUDENT for z in found), sum(z > 3 for z in found))
     return tuple(round(100 * count / len(found), 1) for count in limits)

@@ -6,15 +6,14 @@ test_field.py and test_field_slow.py check them.
 
 import csv
 import importlib
-import os
+import json
 import pathlib
-import subprocess
-from dataclasses import dataclass
 from collections.abc import Callable
+from dataclasses import dataclass
 
-ROOT = pathlib.Path(__file__).parents[3]
-PROGRAM = os.environ.get("SHELFBEAM", str(ROOT / "build/release/shelfbeam"))
-INPUTS = ROOT / "test/data/field"
+import harness
+
+INPUTS = harness.ROOT / "test/data/field"
 NOT_KINDS = ("rows", "test_field", "test_field_slow")
 
 
@@ -29,37 +28,39 @@ class Row:
     is_slow: bool = False
 
 
-@dataclass(frozen=True)
-class Run:
-    """The end of a run of the program."""
-
-    status: int
-    out: str
-    err: str
-
-    def __str__(self):
-        first = (self.err or self.out).strip().splitlines() or [""]
-        return f"exit {self.status}: {first[0]}"
-
-
 def run(*arguments, folder=INPUTS, **options):
     """Runs the program in the folder of the inputs, or in another."""
-    done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, capture_output=True, check=False, **options)
-    return Run(done.returncode, *(text.decode("utf-8", "backslashreplace") for text in (done.stdout, done.stderr)))
+    return harness.run(*arguments, cwd=folder, **options)
 
 
-def expect_success(end):
-    if end.status:
-        raise RuntimeError(str(end))
-    return end
+def output(*arguments, folder=INPUTS):
+    return harness.output(*arguments, cwd=folder)
+
+
+def ends(*arguments):
+    """Measures the end of a run on an input."""
+    return lambda _: run(*arguments)
+
+
+def input_store(name, **changes):
+    return json.loads((INPUTS / name).read_text(encoding="utf-8")) | changes
+
+
+def write_store(scratch, store):
+    (scratch / "store.json").write_text(json.dumps(store), encoding="utf-8")
+    return "store.json"
+
+
+def table(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.reader(file))
 
 
 def signals(store, scratch, *options, samples=20000):
     """(label, unit) -> mean signal, W/m^2."""
-    expect_success(run("simulate", store, "-o", scratch / "o.h5", "--samples", samples, "--quiet", *options))
-    expect_success(run("export", scratch / "o.h5", "--what", "mean", "-o", scratch / "o.csv"))
-    with open(scratch / "o.csv", newline="", encoding="utf-8") as file:
-        units, *lines = csv.reader(file)
+    output("simulate", store, "-o", scratch / "o.h5", "--samples", samples, "--quiet", *options)
+    output("export", scratch / "o.h5", "--what", "mean", "-o", scratch / "o.csv")
+    units, *lines = table(scratch / "o.csv")
     return {(line[0], unit): float(value) for line in lines for unit, value in zip(units[1:], line[1:])}
 
 
@@ -68,8 +69,17 @@ def refuses(*words):
     return lambda end: end.status == 2 and all(word in end.err for word in words)
 
 
+def says(*words):
+    """Accepts a run that succeeds and prints the words."""
+    return lambda end: end.status == 0 and all(word in end.out for word in words)
+
+
 def between(low, high):
     return lambda value: low <= value <= high
+
+
+def equals(value):
+    return lambda result: result == value
 
 
 def kinds():

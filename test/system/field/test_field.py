@@ -21,7 +21,3 @@ class Field(unittest.TestCase):
                     result = row.measure(pathlib.Path(scratch))
                     self.assertTrue(row.is_right(result), f"{result}; expected: {row.expected}")
         self.assertGreater(count, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,7 +1,5 @@
 """Checks the rows that simulate for seconds."""
 
-import unittest
-
 import test_field
 
 
@@ -10,6 +8,3 @@ class SlowField(test_field.Field):
 
 
 del test_field.Field  # otherwise unittest runs it here, too
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,22 +2,17 @@
 
 import json
 import os
-import pathlib
 import re
 import runpy
-import subprocess
-import tempfile
 import unittest
 
 import guide
+from harness import ProgramTest, output
 
 
-class RunPage(unittest.TestCase):
+class RunPage(ProgramTest):
     def run_page(self, page):
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "page.md"
-            path.write_text(page, encoding="utf-8")
-            return guide.run_page(path, folder, dict(os.environ))
+        return guide.run_page(self.write("page.md", page), self.folder, dict(os.environ))
 
     def expect_wrong(self, page, *parts):
         with self.assertRaises(guide.Wrong) as caught:
@@ -85,8 +80,8 @@ ended
         self.assertEqual(self.run_page(page), (0, {"no-such-solver"}))
 
     def test_named_options_exist(self):
-        def helped(*verb):
-            return subprocess.check_output([os.environ["SHELFBEAM"], *verb, "--help"], text=True)
+        def helped(verb=""):
+            return output(f"{verb} --help")
 
         verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
         known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
@@ -260,7 +255,3 @@ class Architecture(unittest.TestCase):
         described = re.findall(r"^- \*\*(.*?)\*\*", self.PAGE, re.MULTILINE)
         layers = set(sum(floors(self.PAGE), [])) - {"app", "jobs", "serve"}
         self.assertEqual(sorted(", ".join(described).split(", ")), sorted(layers))
-
-
-if __name__ == "__main__":
-    unittest.main()

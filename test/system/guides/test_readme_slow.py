@@ -10,9 +10,9 @@ import shutil
 import tempfile
 import unittest
 
-import numpy
-
 import guide
+import numpy
+from harness import PROGRAM, ProgramTest
 
 if "CI" not in os.environ and importlib.util.find_spec("PIL") is None:
     raise unittest.SkipTest("the package python3-pil is missing")
@@ -28,7 +28,7 @@ def run_page(path, folder):
     page = re.sub(r"^scripts/.*\n", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
     copy = pathlib.Path(folder) / path.name
     copy.write_text(page.replace("build/release/shelfbeam", "shelfbeam"), encoding="utf-8")
-    return guide.run_page(copy, folder, guide.environment(os.environ["SHELFBEAM"]))
+    return guide.run_page(copy, folder, guide.environment(PROGRAM))
 
 
 def cells(picture, rows=40, columns=48):
@@ -78,18 +78,12 @@ class Readme(unittest.TestCase):
         self.assertFalse(is_like(self.kept("floor-plan.png"), make_pictures.pixels(made)))
 
     def test_missing_paths_are_noticed(self):
-        made = make_pictures.screenshot(
-            self.plan, make_pictures.VIEW, *make_pictures.VIEW_SIZE, f"#view=1&camera={make_pictures.CAMERA}"
-        )
+        address = f"#view=1&camera={make_pictures.CAMERA}"
+        made = make_pictures.screenshot(self.plan, make_pictures.VIEW, *make_pictures.VIEW_SIZE, address)
         self.assertFalse(is_like(self.kept("view.png"), make_pictures.pixels(made)))
 
 
-class CommandLine(unittest.TestCase):
+class CommandLine(ProgramTest):
     def test_commands_run(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(run_page(guide.DOCS / "command_line.md", folder)[0], 1)
-            self.assertTrue((pathlib.Path(folder) / "model.mps").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.assertEqual(run_page(guide.DOCS / "command_line.md", self.folder)[0], 1)
+        self.assertTrue((self.folder / "model.mps").exists())

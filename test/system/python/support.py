@@ -1,16 +1,11 @@
-"""What the tests of the Python package share."""
+"""The room and the helpers of the tests of the Python package."""
 
-import os
 import re
-import subprocess
-import tempfile
-import unittest
-from pathlib import Path
 
 import shelfbeam as sb
+from harness import ROOT, ProgramTest
 
-PROGRAM = os.environ["SHELFBEAM"]
-THESIS = Path(__file__).parents[3] / "examples" / "thesis" / "store.json"
+THESIS = ROOT / "examples/thesis/store.json"
 ROOM = {
     "room": {"size": [5, 4, 3], "floor": "grey", "ceiling": "white", "walls": "white"},
     "materials": {"white": sb.material(0.8), "grey": sb.material(0.3)},
@@ -22,21 +17,17 @@ ROOM = {
     "transceivers": {"grids": [{"type": "led", "min": [1, 1], "max": [4, 3], "spacing": 1, "z": 2.9}]},
 }
 FEW = {"samples": 256}
-
-
-def command(*words, codes=(0,)):
-    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=False)
-    if done.returncode not in codes:
-        raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stderr}")
-    return done
+QUICK = {"samples": 256, "estimator": "uniform"}  # without radiance caches, which take longer than so few samples
 
 
 def untimed(text):
     return re.sub(r"[0-9.]+ s, solver", "solver", text)
 
 
-class InFolder(unittest.TestCase):
+class RoomTest(ProgramTest):
+    """A test whose folder has the room as store.json."""
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
+        self.file = self.write("store.json", ROOM)
+        self.store = sb.Store(ROOM)

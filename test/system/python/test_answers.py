@@ -1,16 +1,14 @@
 """Placements, plans, previews and comparisons of the Python package, against the command line."""
 
 import filecmp
-import json
-import unittest
-from pathlib import Path
 
 import numpy as np
 import shelfbeam as sb
-from support import FEW, ROOM, THESIS, InFolder, command, untimed
+from harness import ROOT
+from support import FEW, QUICK, ROOM, RoomTest, untimed
 
 
-class Answers(InFolder):
+class Answers(RoomTest):
     ARRAY = np.array([[1.2, 0.3, 0.0], [0.6, 0.5, 0.0], [0.0, 1.1, 0.4], [0.3, 0.8, 0.9]])
 
     def test_any_array_is_placed(self):
@@ -25,94 +23,83 @@ class Answers(InFolder):
 
     def test_answers_are_those_of_the_command_line(self):
         np.save(self.folder / "matrix.npy", self.ARRAY)
-        for words, keywords in (
-            ([], {}),
-            (
-                ["--model", "non-cooperative", "--objective", "links"],
-                {"model": "non-cooperative", "objective": "links"},
-            ),
-            (["--at-most", "1"], {"at_most": 1}),
-            (["--reach", "0.5", "--survive-failure"], {"reach": 0.5, "survive_failure": True}),
-            (["--pin", "T3", "--curve"], {"pin": "T3", "curve": True}),
+        for options, keywords in (
+            ("", {}),
+            ("--model non-cooperative --objective links", {"model": "non-cooperative", "objective": "links"}),
+            ("--at-most 1", {"at_most": 1}),
+            ("--reach 0.5 --survive-failure", {"reach": 0.5, "survive_failure": True}),
+            ("--pin T3 --curve", {"pin": "T3", "curve": True}),
         ):
-            with self.subTest(words):
-                file = self.folder / "placement.json"
-                done = command("place", self.folder / "matrix.npy", "--threshold", 1, "-o", file, *words, codes=(0, 1))
+            with self.subTest(options):
                 best = sb.place(self.folder / "matrix.npy", threshold=1, **keywords)
-                self.assertEqual(best.to_dict(), json.loads(file.read_text()))
+                told = self.told(f"place matrix.npy --threshold 1 -o placement.json {options}", status=best.code)
+                self.assertEqual(best.to_dict(), self.json("placement.json"))
                 best.save(self.folder / "saved.json")
-                self.assertEqual((self.folder / "saved.json").read_text(), file.read_text())
-                self.assertEqual(untimed(best.text), untimed(done.stdout))
-                self.assertEqual(best.code, done.returncode)
+                self.assertEqual(self.text("saved.json"), self.text("placement.json"))
+                self.assertEqual(untimed(best.text), untimed(told))
 
-    def test_a_plan_is_that_of_the_command_line(self):
-        store = sb.Store(ROOM)
-        store.save(self.folder / "store.json")
-        command("plan", self.folder / "store.json", "-o", self.folder / "one", "--samples", 500)
-        plan = sb.plan(store, self.folder / "two", samples=500)
-        names = {file.name for file in (self.folder / "one").iterdir()}
-        self.assertEqual(names, {file.name for file in plan.folder.iterdir()})
-        _, different, failed = filecmp.cmpfiles(self.folder / "one", plan.folder, names - {"run.json"}, shallow=False)
-        self.assertEqual((different, failed), ([], []))
-        self.assertEqual(sb.Plan.read(self.folder / "one").ids, plan.ids)
+    def test_plans_one_after_another_are_those_of_the_command_line(self):
+        dark = sb.Store({**ROOM, "materials": {**ROOM["materials"], "white": sb.material(0.1)}})
+        for name, store in (("bright", sb.Store(ROOM)), ("dark", dark), ("again", sb.Store(ROOM))):
+            store.save(self.folder / "store.json")
+            one = self.folder / f"{name}-alone"
+            self.told(f"plan store.json -o {one} --samples 500")
+            plan = sb.plan(store, self.folder / name, samples=500)
+            names = {file.name for file in one.iterdir()}
+            self.assertEqual(names, {file.name for file in plan.folder.iterdir()})
+            _, different, failed = filecmp.cmpfiles(one, plan.folder, names - {"run.json"}, shallow=False)
+            self.assertEqual((different, failed), ([], []))
+        self.assertEqual(sb.Plan.read(one).ids, plan.ids)
         self.assertIn("<svg", plan._repr_html_())
         self.assertEqual(sb.plan(store, signal=plan, certificate=False).ids, plan.ids)
+        signals = [self.bytes(f"{name}/signal.h5") for name in ("bright", "dark")]
+        self.assertNotEqual(*signals, "control")
 
     def test_a_temporary_plan_ends_with_its_last_reference(self):
-        plan = sb.plan(sb.Store(ROOM), certificate=False, **FEW)
+        plan = sb.plan(self.store, certificate=False, **QUICK)
         folder = plan.folder
         self.assertTrue(plan.report.is_file())
         del plan
         self.assertFalse(folder.exists())
 
     def test_verify_what_if_and_preview(self):
-        store = sb.Store(ROOM)
-        found = sb.verify(store, ["G1-1-1", "G1-4-3"], budget=60)
+        ids = ["G1-1-1", "G1-4-3"]
+        found = sb.verify(self.store, ids, budget=60)
         self.assertEqual(found.verdict.tolist(), ["reached"] * 20)
-        self.assertEqual((found.code, found.units), (0, ["G1-1-1", "G1-4-3"]))
-        states = sb.verify(store.with_people(3), [0, 11], states=20)
-        self.assertEqual(states.to_dict()["examined"][-1]["states"], 20)
-        file = self.folder / "store.json"
-        store.save(file)
+        self.assertEqual((found.code, found.units), (0, ids))
+        states = sb.verify(self.store.with_people(3), [0, 11], states=5)
+        self.assertEqual(states.to_dict()["examined"][-1]["states"], 5)
         found.save(self.folder / "one.csv")
-        command("verify", file, self.placement(store, ["G1-1-1", "G1-4-3"]), "-o", self.folder / "two.csv")
-        self.assertTrue(filecmp.cmp(self.folder / "one.csv", self.folder / "two.csv", shallow=False))
-        change = sb.what_if(store, unit="2.5,2,2.9", coarse=True)
-        words = ["preview", file, "--unit", "2.5,2,2.9", "--coarse", "--json"]
-        self.assertEqual(change.to_dict(), json.loads(command(*words).stdout))
-        light = sb.LightOperator(store, coarse=True)
-        column = light.column([2.5, 2, 2.9])
-        exact = sb.simulate(store, samples=2000)
-        preview = light.signals()
-        self.assertEqual(preview.shape, exact.shape)
-        self.assertEqual(column.signal.shape, (20,))
-        np.testing.assert_allclose(preview.direct, exact.direct, rtol=0.05)
-
-    def placement(self, store, ids):
-        """A placement.json with these units."""
-        signals = sb.simulate(store, **FEW)
+        signals = sb.simulate(self.store, **QUICK)
         excluded = [id for id in signals.units["id"].tolist() if id not in ids]
-        file = self.folder / "placement.json"
-        sb.place(signals, threshold=1e-6, pin=ids, exclude=excluded).save(file)
-        return file
+        sb.place(signals, threshold=1e-6, pin=ids, exclude=excluded).save(self.folder / "placement.json")
+        self.told("verify store.json placement.json -o two.csv")
+        self.assertEqual(self.bytes("one.csv"), self.bytes("two.csv"))
+        change = sb.what_if(self.store, unit="2.5,2,2.9", coarse=True)
+        self.assertEqual(change.to_dict(), self.answer("preview store.json --unit 2.5,2,2.9 --coarse"))
+        light = sb.LightOperator(self.store, coarse=True)
+        column = light.column([2.5, 2, 2.9])
+        preview = light.signals()
+        self.assertEqual(preview.shape, signals.shape)
+        self.assertEqual(column.signal.shape, (20,))
+        direct = sb.simulate(self.store, **QUICK, direct="exact").direct
+        np.testing.assert_allclose(preview.direct, direct, rtol=0.05)
 
     def test_a_placement_keeps_its_question(self):
-        signals = sb.simulate(sb.Store(ROOM), **FEW)
-        best = sb.place(signals, threshold=0.06, model="non-cooperative", survive_failure=True, costs=[2] * 12)
-        found, plain = sb.evaluate(signals, best), sb.evaluate(signals, best.ids, threshold=0.06)
+        signals = sb.simulate(self.store, **QUICK, direct="exact")
+        best = sb.place(signals, threshold=0.04, model="non-cooperative", survive_failure=True, costs=[2] * 12)
+        found, plain = sb.evaluate(signals, best), sb.evaluate(signals, best.ids, threshold=0.04)
         self.assertTrue(found.feasible)
         self.assertEqual(found.cost, 2 * best.count)
-        self.assertEqual(found.requirement.tolist(), [0.06] * 20)
+        self.assertEqual(found.requirement.tolist(), [0.04] * 20)
         self.assertGreater(plain.margin_db.min(), found.margin_db.min())
         strong = sb.place(signals, model="non-cooperative", survive_failure=True)
-        answer = sb.verify(sb.Store(ROOM), strong, budget=30).answer
-        self.assertIn("even if any one unit fails", answer)
-        self.assertIn("even if any one unit fails", sb.verify(sb.Store(ROOM), strong.ids, survive_failure=True).answer)
+        for found in (sb.verify(self.store, strong), sb.verify(self.store, strong.ids, survive_failure=True)):
+            self.assertIn("even if any one unit fails", found.answer)
 
     def test_other_means_keep_exclusions(self):
-        store = sb.Store(ROOM)
-        store.document["transceivers"]["grids"] *= 2  # two options of each mounting point
-        signals = sb.simulate(store, **FEW)
+        self.store.document["transceivers"]["grids"] *= 2  # two options of each mounting point
+        signals = sb.simulate(self.store, **QUICK)
         careful = signals.with_mean(np.maximum(signals.mean - 2 * signals.error, 0))
         need = 0.6 * signals.mean.sum(axis=1).min()
         best = sb.place(careful, threshold=need)
@@ -121,35 +108,35 @@ class Answers(InFolder):
         self.assertFalse(sb.evaluate(careful, [0, 12]).allowed)
 
     def test_choices_of_units(self):
-        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        signals = sb.simulate(self.store, **QUICK)
         best = sb.place(signals, pin=[0], exclude=np.arange(12) > 9, forbid=[("G1-1-1", "G1-2-1")], costs=[2] * 12)
         self.assertIn("G1-1-1", best.ids)
         self.assertEqual(sb.evaluate(signals, best).cost, 2 * best.count)
-        plan = sb.plan(sb.Store(ROOM), survive_failure=True, certificate=False, **FEW)
+        plan = sb.plan(self.store, survive_failure=True, certificate=False, **QUICK)
         self.assertEqual(
             sb.evaluate(signals, plan).margin_db.min(),
             sb.evaluate(signals, plan.folder / "placement.json", survive_failure=True).margin_db.min(),
         )
 
     def test_files_of_a_placement(self):
-        np.save(self.folder / "one.npy", self.ARRAY)
-        np.save(self.folder / "two.npy", self.ARRAY[:, ::-1])
-        (self.folder / "costs.csv").write_text("id,cost\nT1,1\nT2,5\nT3,1\n")
-        (self.folder / "weights.csv").write_text("id,weight\nL1,5\nL2,1\nL3,1\nL4,1\n")
-        best = sb.place(self.ARRAY, requirement=1, costs=self.folder / "costs.csv")
+        files = [self.folder / "one.npy", self.folder / "two.npy"]
+        np.save(files[0], self.ARRAY)
+        np.save(files[1], self.ARRAY[:, ::-1])
+        costs = self.write("costs.csv", "id,cost\nT1,1\nT2,5\nT3,1\n")
+        weights = self.write("weights.csv", "id,weight\nL1,5\nL2,1\nL3,1\nL4,1\n")
+        best = sb.place(self.ARRAY, requirement=1, costs=costs)
         self.assertEqual(best.value, 6)
         best.save(self.folder / "placement.json")
         self.assertEqual(sb.place(self.ARRAY, requirement=1, start=self.folder / "placement.json").ids, ["T1", "T2"])
         heavy = {"at_most": 1, "requirement": 1}
-        self.assertEqual(sb.place(self.ARRAY, weights=self.folder / "weights.csv", **heavy).ids, ["T1"])
+        self.assertEqual(sb.place(self.ARRAY, weights=weights, **heavy).ids, ["T1"])
         self.assertEqual(sb.place(self.ARRAY, weights=[5, 1, 1, 1], **heavy).value, 5)
-        both = sb.place([self.folder / "one.npy", self.folder / "two.npy"], threshold=1)
-        files = [self.folder / "one.npy", self.folder / "two.npy"]
-        command("place", *files, "--threshold", 1, "-o", self.folder / "both.json")
-        self.assertEqual(both.to_dict(), json.loads((self.folder / "both.json").read_text()))
+        both = sb.place(files, threshold=1)
+        self.told("place one.npy two.npy --threshold 1 -o both.json")
+        self.assertEqual(both.to_dict(), self.json("both.json"))
 
     def test_measurements_are_compared(self):
-        signals = sb.simulate(sb.Store(ROOM), samples=1000)
+        signals = sb.simulate(self.store, samples=1000, estimator="uniform")
         pairs = [(row, column) for row in range(20) for column in (0, 5)]
         measured = {
             "label": [signals.labels["id"][row] for row, _ in pairs],
@@ -164,12 +151,11 @@ class Answers(InFolder):
         self.assertEqual([one["label"] for one in outliers], [measured["label"][7]])
 
 
-class WishList(InFolder):
+class WishList(RoomTest):
     """The lines that a researcher wished for, on a room from a mesh."""
 
     def test_it_runs(self):
-        examples = THESIS.parents[1] / "chiller"
-        lab = Path(__file__).parents[3] / "docs" / "python" / "lab.glb"
+        examples, lab = ROOT / "examples/chiller", ROOT / "docs/python/lab.glb"
         scene = sb.Store.from_mesh(lab, materials={"Wall*": 0.7, "Floor*": 0.3, "Window": sb.glass(1.5), "*": 0.5})
         led = sb.Emitter.from_ies(examples / "batwing.ies", flux=1.0)
         spot = sb.Emitter.from_ldt(examples / "narrow-aisle.ldt", flux=1.0)
@@ -196,11 +182,6 @@ class WishList(InFolder):
         for turn in (1, -1):
             text = "".join(f"v {x} {y} {z}\n" for x, y, z in corners)
             text += "".join("f " + " ".join(str(k + 1) for k in face[::turn]) + "\n" for face in faces)
-            (self.folder / "room.obj").write_text(text)
-            store = sb.Store.from_mesh(self.folder / "room.obj", {"*": 0.5})
+            store = sb.Store.from_mesh(self.write("room.obj", text), {"*": 0.5})
             store.add_candidates(sb.Emitter.lambertian(1), spacing=2, below_ceiling=0.5)
             self.assertEqual([unit["position"][2] for unit in store.document["transceivers"]["list"]], [2.5] * 4)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -4,43 +4,37 @@ import inspect
 import json
 import pickle
 import re
-import signal
-import subprocess
 import sys
 import tempfile
-import textwrap
-import unittest
 from unittest import mock
 
 import numpy as np
 import shelfbeam as sb
-from support import FEW, ROOM, THESIS, InFolder, command
+from harness import output, run
+from support import QUICK, ROOM, RoomTest
 
 
-class Conduct(InFolder):
+class Conduct(RoomTest):
     def test_errors_have_codes_and_sentences(self):
-        file = self.folder / "store.json"
-        document = json.loads(json.dumps(ROOM))
-        document["label_types"]["pd"]["threshold"] = -1
-        file.write_text(json.dumps(document))
-        done = command("simulate", file, "-o", self.folder / "signal.h5", codes=(2,))
+        self.write("store.json", {**ROOM, "label_types": {"pd": {"threshold": -1}}})
         with self.assertRaises(sb.InputError) as caught:
-            sb.simulate(file)
-        self.assertEqual(done.stderr.strip(), f"error: {caught.exception}")
+            sb.simulate(self.file)
+        self.assertEqual(run("simulate", self.file, "-o", "signal.h5").err, f"error: {caught.exception}\n")
         self.assertEqual(caught.exception.code, 2)
         self.assertIn("store.json", caught.exception.where)
         self.assertIsInstance(caught.exception, ValueError)
 
     def test_a_keyword_is_named_in_an_error(self):
         with self.assertRaises(sb.InputError) as caught:
-            sb.simulate(sb.Store(ROOM), max_bounces=3, estimator="reuse")
+            sb.simulate(self.store, max_bounces=3, estimator="reuse")
         self.assertEqual(caught.exception.setting, "max_bounces")
         self.assertIn("(max_bounces)", str(caught.exception))
 
     def test_values_that_are_refused(self):
-        people, signals, twice = sb.Store(ROOM).with_people(2), sb.simulate(sb.Store(ROOM), **FEW), sb.Store(ROOM)
+        store, file = self.store, self.file
+        people, twice = store.with_people(2), sb.Store(ROOM)
+        signals = sb.simulate(store, **QUICK)
         twice.document["transceivers"]["grids"] *= 2
-        file = self.folder / "store.json"
         people.save(file)
         text = file.read_text()
         for call in (
@@ -59,8 +53,8 @@ class Conduct(InFolder):
             lambda: sb.place([[1, 2]], requirement=1, threshold=1),
             lambda: sb.place([[1, 2]], requirement=1, curve=True, at_most=1),
             lambda: sb.place([[1, 2]], requirement=1, time_limit=float("nan")),
-            lambda: sb.verify(sb.Store(ROOM), [3, 3]),
-            lambda: sb.verify(sb.Store(ROOM), []),
+            lambda: sb.verify(store, [3, 3]),
+            lambda: sb.verify(store, []),
             lambda: sb.verify(twice, ["G1-1-1", "G2-1-1"]),
             lambda: sb.verify(people, [0], states=5, availability=95),
             lambda: sb.compare(signals, {"label": ["P-1-1"] * 3, "transceiver": ["G1-1-1"], "signal": [1] * 3}),
@@ -71,42 +65,42 @@ class Conduct(InFolder):
             lambda: sb.simulate(people, states=3, relative_error=0.1),
             lambda: sb.simulate(people, states=2.5),
             lambda: sb.simulate(people, hard_labels=3),
-            lambda: sb.simulate(sb.Store(ROOM), by_length=-1, **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), by_length=float("nan"), **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), by_length=1, lengths=0, **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), by_bounce=True, **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), lengths=3, **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), labels=[], **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), units=np.zeros(12, bool), **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), labels=[0, 0], **FEW),
+            lambda: sb.simulate(store, by_length=-1, samples=256),
+            lambda: sb.simulate(store, by_length=float("nan"), samples=256),
+            lambda: sb.simulate(store, by_length=1, lengths=0, samples=256),
+            lambda: sb.simulate(store, by_bounce=True, samples=256),
+            lambda: sb.simulate(store, lengths=3, samples=256),
+            lambda: sb.simulate(store, labels=[], samples=256),
+            lambda: sb.simulate(store, units=np.zeros(12, bool), samples=256),
+            lambda: sb.simulate(store, labels=[0, 0], samples=256),
             lambda: sb.simulate(people, hard_labels=0, states=2),
-            lambda: sb.simulate(sb.Store(ROOM), progress="yes", **FEW),
+            lambda: sb.simulate(store, progress="yes", samples=256),
             lambda: sb.evaluate(signals, [1.9]),
             lambda: sb.evaluate(signals, [None]),
             lambda: sb.place(np.ma.masked_less([[0.4, 0.3]], 0.5), requirement=0.4),
             lambda: sb.place([[1, 2]], requirement=1, costs=5),
-            lambda: sb.plan(sb.Store(ROOM), costs=[1, 2]),
-            lambda: sb.what_if(sb.Store(ROOM), unit="1,1,2", refine=-1),
-            lambda: sb.what_if(sb.Store(ROOM), unit=[(1, 1, 2)]),
+            lambda: sb.plan(store, costs=[1, 2]),
+            lambda: sb.what_if(store, unit="1,1,2", refine=-1),
+            lambda: sb.what_if(store, unit=[(1, 1, 2)]),
             lambda: sb.Store.parse("[1]"),
-            lambda: sb.impulse_response(sb.Store(ROOM), max_length=-1),
+            lambda: sb.impulse_response(store, max_length=-1),
             lambda: people.add_receivers("other", plane=1, spacing=0, threshold=5),
-            lambda: sb.simulate(sb.Store(ROOM), resume=True, **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), memory="much", **FEW),
-            lambda: sb.simulate(sb.Store(ROOM), threads=-1, **FEW),
+            lambda: sb.simulate(store, resume=True, samples=256),
+            lambda: sb.simulate(store, memory="much", samples=256),
+            lambda: sb.simulate(store, threads=-1, samples=256),
             lambda: sb.simulate(file, output=file),
             lambda: sb.simulate(file, output=self.folder / "no" / "signal.h5"),
-            lambda: sb.impulse_response(sb.Store(ROOM), step=0.0001),
-            lambda: sb.impulse_response(sb.Store(ROOM), step=0),
-            lambda: sb.plan(sb.Store(ROOM), reflectance_error=0.1),
-            lambda: sb.plan(sb.Store(ROOM), resume=True),
+            lambda: sb.impulse_response(store, step=0.0001),
+            lambda: sb.impulse_response(store, step=0),
+            lambda: sb.plan(store, reflectance_error=0.1),
+            lambda: sb.plan(store, resume=True),
             lambda: people.add_receivers("pd", plane=1, spacing=1, threshold=5),
             lambda: people.add_candidates(sb.Emitter.lambertian(2, name="led"), spacing=1, z=2),
             lambda: people.add_candidates(sb.Emitter.lambertian(2), spacing=1, z=2, below_ceiling=1),
             lambda: people.scene().state(-1),
             lambda: sb.LightOperator(people, threads=-1),
-            lambda: sb.simulate(sb.Store(ROOM), samples=3),
-            lambda: sb.simulate(sb.Store(ROOM), states=5),
+            lambda: sb.simulate(store, samples=3),
+            lambda: sb.simulate(store, states=5),
             lambda: sb.simulate(self.folder / "none.json"),
             lambda: sb.Plan.read(self.folder),
         ):
@@ -118,31 +112,31 @@ class Conduct(InFolder):
 
     def test_progress_and_its_errors(self):
         seen = []
-        sb.simulate(THESIS, samples=1000, progress=seen.append)
-        self.assertIn("simulating", {state.task for state in seen})
+        sb.simulate(self.store, samples=1000, progress=seen.append)
+        self.assertTrue(seen)
+
+        def show(state):
+            seen.append(state)
+            if state.task == "simulating":
+                raise RuntimeError(state.task)
+
+        with self.assertRaisesRegex(RuntimeError, "simulating"):
+            sb.simulate(self.store, samples=10**9, progress=show)
         self.assertTrue(all(state.fraction is None or 0 <= state.fraction <= 1 for state in seen))
 
-        def fail(state):
-            raise RuntimeError(state.task)
-
-        with self.assertRaises(RuntimeError):
-            sb.simulate(THESIS, samples=10**7, progress=fail)
-
     def test_ctrl_c_ends_the_call(self):
-        script = textwrap.dedent(f"""
-            import sys, shelfbeam as sb
-            def ready(state):
-                print("ready", flush=True)
-            try:
-                sb.simulate({str(THESIS)!r}, samples=10**8, progress=ready)
-            except KeyboardInterrupt:
-                sys.exit(33)
-        """)
-        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
-            process.stdout.readline()
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 33)
+        script = f"""
+import sys, shelfbeam as sb
+def ready(state):
+    print("ready", flush=True)
+try:
+    sb.simulate({str(self.file)!r}, samples=10**9, progress=ready)
+except KeyboardInterrupt:
+    sys.exit(33)
+"""
+        process = self.start("-c", script, program=sys.executable)
+        process.wait_until(lambda: "ready" in process.printed())
+        self.assertEqual(process.end().status, 33)
 
     def test_keywords_are_the_flags_of_the_command_line(self):
         names = {"progress", "output", "no_certificate", "coarse", "refine"}
@@ -165,7 +159,7 @@ class Conduct(InFolder):
             "compare": {"safe_csv", "threads", "seed"},
         }
         for verb, function in verbs.items():
-            help_text = command(verb, "--help").stdout
+            help_text = self.told(f"{verb} --help")
             flags = {flag.replace("-", "_") for flag in re.findall(r"^\s+(?:-\w, ?)?--([a-z][a-z-]+)", help_text, re.M)}
             keywords = set(inspect.signature(function).parameters)
             missing = flags - keywords - only_there - names - files_only.get(verb, set())
@@ -174,7 +168,7 @@ class Conduct(InFolder):
             self.assertEqual(unknown - {"strict", "safe_csv"}, set(), verb)
 
     def test_defaults_are_those_of_the_command_line(self):
-        text = re.sub(r"\s+", " ", command("plan", "--help").stdout + command("place", "--help").stdout)
+        text = re.sub(r"\s+", " ", self.told("plan --help") + self.told("place --help"))
         for function in (sb.plan, sb.place, sb.verify):
             for name, parameter in inspect.signature(function).parameters.items():
                 if isinstance(parameter.default, (int, float)) and not isinstance(parameter.default, bool):
@@ -184,7 +178,7 @@ class Conduct(InFolder):
 
     def test_a_value_out_of_range_names_its_keyword(self):
         with self.assertRaises(sb.InputError) as caught:
-            sb.simulate(sb.Store(ROOM), samples=10)
+            sb.simulate(self.store, samples=10)
         self.assertEqual(caught.exception.setting, "samples")
         self.assertTrue(str(caught.exception).startswith("samples: is 10"))
 
@@ -196,7 +190,7 @@ class Conduct(InFolder):
         self.assertNotIsInstance(caught.exception, sb.Error)
 
     def test_results_can_be_pickled(self):
-        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        signals = sb.simulate(self.store, **QUICK)
         copy = pickle.loads(pickle.dumps(signals))
         np.testing.assert_array_equal(copy, signals.mean)
         self.assertEqual(copy.scene.hash, signals.scene.hash)
@@ -204,8 +198,8 @@ class Conduct(InFolder):
 
     def test_nothing_stays_after_an_error(self):
         with mock.patch.object(tempfile, "tempdir", str(self.folder)), self.assertRaises(sb.InputError):
-            sb.plan(sb.Store(ROOM), memory="much")
-        self.assertEqual(list(self.folder.iterdir()), [])
+            sb.plan(self.store, memory="much")
+        self.assertEqual(list(self.folder.iterdir()), [self.file])
 
     def test_numpy_values_in_a_document(self):
         store = sb.Store.parse(json.dumps(ROOM))
@@ -214,26 +208,20 @@ class Conduct(InFolder):
         self.assertEqual(store.scene().labels["requirement"][0], 0.5)
 
     def test_results_are_dictionaries_and_html(self):
-        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        signals = sb.simulate(self.store, **QUICK)
         best = sb.place(signals)
-        results = [signals, best, sb.evaluate(signals, best), sb.verify(sb.Store(ROOM), best, budget=30)]
+        results = [signals, best, sb.evaluate(signals, best), sb.verify(self.store, best)]
         for result in results:
             self.assertTrue(json.dumps(result.to_dict()))
             self.assertIn("<", result._repr_html_())
             self.assertTrue(repr(result).startswith("<"))
 
     def test_warnings_name_the_line_of_the_caller(self):
-        dark = sb.Store(ROOM)
-        dark.document["materials"]["white"] = sb.material(0)
+        self.store.document["materials"]["white"] = sb.material(0)
         with self.assertWarns(sb.ShelfbeamWarning) as caught:
-            sb.simulate(dark, **FEW)
+            sb.simulate(self.store, **QUICK)
         self.assertEqual(caught.filename, __file__)
 
     def test_an_import_needs_numpy_alone(self):
         script = "import sys, shelfbeam; print(sorted({'matplotlib', 'pandas', 'xarray', 'tqdm'} & set(sys.modules)))"
-        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-        self.assertEqual(done.stdout.strip(), "[]")
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.assertEqual(output("-c", script, program=sys.executable), "[]\n")

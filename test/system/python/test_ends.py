@@ -2,7 +2,6 @@
 
 import json
 import os
-import subprocess
 import sys
 import textwrap
 import threading
@@ -10,7 +9,8 @@ import time
 import unittest
 
 import shelfbeam as sb
-from support import FEW, ROOM, InFolder
+from harness import ProgramTest, output, run
+from support import QUICK, ROOM
 
 # Two daemon threads repeat a call. What is printed at the end proves that they were inside calls.
 DAEMONS = """
@@ -28,17 +28,18 @@ DAEMONS = """
         threading.Thread(target=run, daemon=True).start()
     while len(begun) < 2:
         time.sleep(0.01)
-    time.sleep(0.2)
+    time.sleep(0.1)
     {last}
     print(len(begun) - len(ended))
 """
 
 
-class Ends(InFolder):
+class Ends(ProgramTest):
+    TIMES = 1  # test_more_slow.py repeats the calls
+
     def ended(self, call, last="pass"):
         script = textwrap.dedent(DAEMONS).format(room=json.dumps(ROOM), call=call, last=last)
-        return subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=False,
-                              cwd=self.folder)  # fmt: skip
+        return run("-c", script, program=sys.executable, cwd=self.folder, timeout=120)
 
     def test_daemon_threads_inside_calls(self):
         for call in (
@@ -50,17 +51,18 @@ class Ends(InFolder):
             "sb.LightOperator(store, coarse=True).column([2, 2, 2])",
             "sb.simulate(store, samples=256).save(f'{threading.get_ident()}.h5')",
         ):
-            for _ in range(2):
-                done = self.ended(call)
-                self.assertEqual((done.returncode, done.stderr), (0, ""), call)
-        self.assertEqual(self.ended("sb.simulate(store, samples=10**9)").stdout.strip(), "2", "the control: inside")
+            for _ in range(self.TIMES):
+                end = self.ended(call)
+                self.assertEqual((end.status, end.err), (0, ""), call)
+                if "10**9" in call:
+                    self.assertEqual(end.out, "2\n", "the control: both are inside")
 
     def test_calls_at_the_end_of_the_main_thread(self):
-        done = self.ended(
+        end = self.ended(
             "sb.simulate(store, samples=10**9)",
             "atexit.register(lambda: print(sb.evaluate(matrix, [0], requirement=1).feasible))",
         )
-        self.assertEqual((done.returncode, done.stdout.split()), (0, ["2", "True"]), done.stderr)
+        self.assertEqual((end.status, end.out.split()), (0, ["2", "True"]), end.err)
 
 
 def in_child(call):
@@ -89,15 +91,15 @@ def in_child(call):
 class Forks(unittest.TestCase):
     def setUp(self):
         self.store = sb.Store(ROOM)
-        self.mean = sb.simulate(self.store, **FEW).mean
+        self.mean = sb.simulate(self.store, **QUICK).mean
 
     def same(self):
-        if (sb.simulate(self.store, **FEW).mean != self.mean).any():
+        if (sb.simulate(self.store, **QUICK).mean != self.mean).any():
             raise ValueError("other signals")
 
     def test_a_child_works_if_no_call_was_running(self):
-        for _ in range(5):
-            sb.simulate(self.store, **FEW)
+        for _ in range(3):
+            sb.simulate(self.store, **QUICK)
             self.assertEqual(in_child(self.same), 0)
 
     def test_a_child_forked_during_a_call_is_refused(self):
@@ -117,12 +119,10 @@ class Forks(unittest.TestCase):
         is_inside.wait(60)
         try:
             self.assertEqual(in_child(self.same), 42)
-            script = textwrap.dedent(f"""
-                import shelfbeam as sb
-                print(sb.simulate(sb.Store({json.dumps(ROOM)}), samples=256).mean.sum())
-            """)
-            done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout.strip(), str(self.mean.sum()), "new processes work")
+            simulate = f"sb.simulate(sb.Store({json.dumps(ROOM)}), samples=256, estimator='uniform')"
+            script = f"import shelfbeam as sb; print({simulate}.mean.sum())"
+            found = output("-c", script, program=sys.executable)
+            self.assertEqual(found, str(self.mean.sum()) + "\n", "new processes work")
             self.same()
         finally:
             is_over.set()
@@ -150,7 +150,3 @@ class Forks(unittest.TestCase):
             if os.getpid() != parent:
                 os._exit(1)
         self.assertEqual(found, [42])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,23 +2,18 @@
 
 import contextlib
 import io
-import json
 import os
 import re
 import runpy
 import sys
-import tempfile
-import unittest
-from pathlib import Path
 from unittest import mock
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 import shelfbeam as sb
+from harness import ROOT, ProgramTest
 
-ROOT = Path(__file__).parents[3]
-GALLERY = sorted((ROOT / "docs" / "python").glob("*.py"))
-
+GALLERY = sorted((ROOT / "docs/python").glob("*.py"))
 
 LIMITS = {"samples": 256, "states": 4, "time_limit": 1, "budget": 2}
 # The keywords that each function gets with at most these values.
@@ -53,15 +48,10 @@ def few_samples():
         yield
 
 
-class Gallery(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Gallery(ProgramTest):
     def test_there_are_six_scripts_that_the_page_shows(self):
         self.assertEqual(len(GALLERY), 6)
-        page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+        page = self.text(ROOT / "docs/python.md")
         for script in GALLERY:
             self.assertIn(f"docs/python/{script.name}", page)
             self.assertIn(f"pictures/python/{script.stem}.png", page)
@@ -87,17 +77,12 @@ class Gallery(unittest.TestCase):
                 exec(compile(block, "block", "exec"), names)
 
     def test_the_page_runs(self):
-        page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-        blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+        blocks = re.findall(r"^```python\n(.*?)^```", self.text(ROOT / "docs/python.md"), re.MULTILINE | re.DOTALL)
         self.assertGreater(len(blocks), 4)
         self.run_blocks(blocks)
 
     def test_the_notebook_runs(self):
-        notebook = json.loads((ROOT / "docs" / "python" / "first_plan.ipynb").read_text(encoding="utf-8"))
+        notebook = self.json(ROOT / "docs/python/first_plan.ipynb")
         cells = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
         self.assertGreater(len(cells), 4)
         self.run_blocks(cells)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -4,19 +4,16 @@ import decimal
 import json
 import os
 import random
-import subprocess
 import sys
-import tempfile
 import threading
-import time
-import unittest
 import warnings
 from pathlib import Path
 
 import numpy as np
 import shelfbeam as sb
 from shelfbeam import _core
-from support import FEW, ROOM
+from harness import ProgramTest, run
+from support import QUICK, ROOM
 
 MATRIX = np.array([[1.2, 0.3, 0.0], [0.6, 0.5, 0.0], [0.0, 1.1, 0.4]])
 
@@ -63,7 +60,7 @@ def nested(levels=3):
 
     def show(state):
         if levels:
-            sb.simulate(ROOM_STORE, progress=nested(levels - 1), **FEW)
+            sb.simulate(ROOM_STORE, progress=nested(levels - 1), **QUICK)
         raise OwnError
 
     return show
@@ -96,7 +93,7 @@ class Fuzz:
     def __init__(self, seed):
         self.random = random.Random(seed)
         self.scene = ROOM_STORE.scene()
-        self.signals = sb.simulate(self.scene, **FEW)
+        self.signals = sb.simulate(self.scene, **QUICK)
         self.light = sb.LightOperator(self.scene, coarse=True)
         self.best = sb.place(MATRIX, requirement=1)
         self.values = [NUMBERS, TEXTS, LISTS, ARRAYS, ODD, [self.scene, self.signals, self.light, self.best, ROOM_STORE,
@@ -156,22 +153,8 @@ class Fuzz:
         table = _core.Table.of_array(MATRIX, ["a", "b", "c"], ["x", "y", "z"])
         job = json.dumps({"store": "store", "folder": ".", "plan": {"simulation": {"samples": 256}, "budget": 0.1}})
         parts = [table, self.signals._core, self.scene._core, self.light._core]
-        usual = [
-            *parts,
-            job,
-            job,
-            [0],
-            [0, 5],
-            [2**31],
-            {"labels": [0, 99]},
-            {"units": [99]},
-            {},
-            None,
-            True,
-            0,
-            0.9,
-            "",
-        ]
+        lists = [[0], [0, 5], [2**31], {"labels": [0, 99]}, {"units": [99]}, {}]
+        usual = [*parts, job, job, *lists, None, True, 0, 0.9, ""]
         functions = [_core.simulate, _core.verify, _core.compare, _core.problems_of, _core.plain_json, _core.what_if]
         for part in parts:
             functions += [getattr(part, name) for name in dir(part)
@@ -201,21 +184,21 @@ def fuzz(seed, count):
             assert getattr(error, "code", 0) != DEFECT, repr(error)
         except RuntimeError as error:
             assert "cast" in str(error), repr(error)
-    assert (sb.simulate(calls.scene, **FEW).mean == before).all()
+    assert (sb.simulate(calls.scene, **QUICK).mean == before).all()
     assert (calls.signals.mean == before).all()
     assert sb.place(MATRIX, requirement=1).ids == calls.best.ids
     print(count, refused)
 
 
-class Misuse(unittest.TestCase):
+class Misuse(ProgramTest):
+    SEEDS = (1,)  # test_more_slow.py has more
+
     def test_random_values(self):
-        for seed in (1, 2, 3):
-            with tempfile.TemporaryDirectory() as folder:
-                words = [sys.executable, "-B", __file__, str(seed), "600"]
-                done = subprocess.run(words, capture_output=True, text=True, check=False, cwd=folder, timeout=300)
-                self.assertEqual(done.returncode, 0, done.stderr[-3000:])
-                count, refused = map(int, done.stdout.split()[-2:])
-                self.assertTrue(count / 4 < refused < count, f"refused {refused} of {count}")
+        for seed in self.SEEDS:
+            end = run("-B", __file__, seed, 600, program=sys.executable, cwd=self.folder, timeout=300)
+            self.assertEqual(end.status, 0, end.err[-3000:])
+            count, refused = map(int, end.out.split()[-2:])
+            self.assertTrue(count / 4 < refused < count, f"refused {refused} of {count}")
 
     def test_arrays_have_the_limits_of_files(self):
         huge = MATRIX.copy()
@@ -229,7 +212,7 @@ class Misuse(unittest.TestCase):
             lambda: sb.place(MATRIX, requirement=1, at_most=1, weights=[1, 1, 1.1e18]),
             lambda: sb.evaluate(MATRIX, [0], requirement=1, costs=[[1, 1, 1]]),
             lambda: sb.place(np.zeros((0, 3)), requirement=1),
-            lambda: sb.simulate(ROOM_STORE, **FEW).with_mean(np.full((20, 12), 1.1e18)),
+            lambda: sb.simulate(ROOM_STORE, **QUICK).with_mean(np.full((20, 12), 1.1e18)),
             lambda: sb.impulse_response(ROOM_STORE, step=1e-320),
         ):
             with self.assertRaises(sb.InputError) as caught:
@@ -244,9 +227,8 @@ class Misuse(unittest.TestCase):
         for scale in (1e200, 1e-170):
             found = light.column([2, 2, 2.5], axis=[0, 0.3 * scale, -scale]).signal
             np.testing.assert_allclose(found, usual, rtol=1e-6)
-        self.assertFalse(
-            np.allclose(light.column([2, 2, 2.5], axis=[0, 1, -1]).signal, usual, rtol=1e-3), "the control"
-        )
+        other = light.column([2, 2, 2.5], axis=[0, 1, -1]).signal
+        self.assertFalse(np.allclose(other, usual, rtol=1e-3), "the control")
         for position, axis in (
             ([], [2, 2, 2.5]),
             ([2, 2, 2.5, 0], [0, -1]),
@@ -267,11 +249,11 @@ class Misuse(unittest.TestCase):
 
     def test_one_object_in_several_threads(self):
         light, scene = sb.LightOperator(ROOM_STORE, coarse=True), ROOM_STORE.scene()
-        signals = sb.simulate(scene, **FEW)
+        signals = sb.simulate(scene, **QUICK)
 
         def all_results():
             return (light.column([2, 2, 2]).signal.tolist(), light.signals().mean.tolist(), scene.svg(),
-                    sb.simulate(scene, **FEW).mean.tolist(), sb.place(signals, threshold=1e-3, time_limit=10).count,
+                    sb.simulate(scene, **QUICK).mean.tolist(), sb.place(signals, threshold=1e-3, time_limit=10).count,
                     scene.resolved().text())  # fmt: skip
 
         expected, found = all_results(), []
@@ -285,7 +267,7 @@ class Misuse(unittest.TestCase):
 
     def test_arrays_outlive_their_objects(self):
         def mean():
-            return sb.simulate(ROOM_STORE.scene(), **FEW).mean
+            return sb.simulate(ROOM_STORE.scene(), **QUICK).mean
 
         kept = mean()
         others = [mean() for _ in range(3)]
@@ -297,9 +279,4 @@ class Misuse(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    begun = time.monotonic()
-    if len(sys.argv) > 2:  # noqa: PLR2004
-        fuzz(*map(int, sys.argv[1:3]))
-        print(f"{time.monotonic() - begun:.1f} s", file=sys.stderr)
-    else:
-        unittest.main()
+    fuzz(*map(int, sys.argv[1:]))

@@ -1,31 +1,18 @@
 """The types of the Python package, checked by mypy: of its sources, and of the compiled part against its stub."""
 
-import os
-import shutil
-import subprocess
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).parents[3]
-PACKAGE = ROOT / "src" / "python"
-MYPY = shutil.which("mypy", path="/usr/bin")
+from harness import BUILD, ROOT, has, output
+
+PACKAGE = ROOT / "src/python"
+MYPY = "/usr/bin/mypy"
 
 
-@unittest.skipUnless(MYPY or os.environ.get("CI"), "mypy is missing")
+@unittest.skipUnless(has(MYPY), "mypy is missing")
 class Types(unittest.TestCase):
     def test_sources(self):
-        cache = Path(os.environ["SHELFBEAM_BUILD"]) / "python" / "mypy"
-        words = [
-            MYPY,
-            "--strict",
-            "--config-file",
-            str(ROOT / "pyproject.toml"),
-            "--cache-dir",
-            str(cache),
-            "shelfbeam",
-        ]
-        done = subprocess.run(words, cwd=PACKAGE, capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        options = ["--config-file", ROOT / "pyproject.toml", "--cache-dir", BUILD / "python/mypy"]
+        output("--strict", *options, "shelfbeam", program=MYPY, cwd=PACKAGE)
 
     def test_the_stub_has_the_names_of_the_module(self):
         import shelfbeam._core as core  # noqa: PLC0415
@@ -46,7 +33,3 @@ class Types(unittest.TestCase):
             if members is not None:
                 own = {one for one in vars(getattr(core, name)) if not one.startswith("_")}
                 self.assertEqual(own, members, name)
-
-
-if __name__ == "__main__":
-    unittest.main()

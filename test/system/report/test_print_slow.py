@@ -1,43 +1,38 @@
 """Tests the printed report and the drawing for a fitter, with independent readers: Chromium, Poppler and ezdxf."""
 
-import csv
+import functools
 import json
 import os
 import pathlib
 import re
 import shutil
-import subprocess
 import tempfile
 import unittest
 
-PROGRAM = os.environ["SHELFBEAM"]
+from harness import ROOT, ProgramTest, has, output
+
 UNITS = 60
 
 
-def run(*command):
-    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+def plan_of(folder, store):
+    output("plan", store, "-o", folder, *"--no-certificate --samples 200 --quiet".split())
+    return folder
 
 
-def has(program):
-    """True in continuous integration, too: there a test without its program fails instead of being skipped."""
-    return "CI" in os.environ or shutil.which(program)
-
-
-def plan_of(folder, store, units=None):
-    """A plan, and a copy of it with other units: without the record of its files, `report` accepts the change."""
-    run(PROGRAM, "plan", store, "-o", folder, "--no-certificate", "--samples", "200", "--quiet")
-    if units is None:
-        return folder
+def with_units(folder, plan, units):
+    """A copy of a plan with other units: without the record of its files, `report` accepts the change."""
+    shutil.copytree(plan, folder)
     path = folder / "placement.json"
     placement = json.loads(path.read_text(encoding="utf-8"))
     for key in ("complete", "files", "alternatives"):
         placement.pop(key, None)
     placement.update(selected=units, count=len(units), status="stopped", count_lower_bound=1)
     path.write_text(json.dumps(placement), encoding="utf-8")
-    run(PROGRAM, "report", folder, "--quiet")
+    output("report", folder, "--quiet")
     return folder
 
 
+@functools.cache
 def pages_of(folder, paper):
     """The text of each printed page, as laid out."""
     report = folder / "report.html"
@@ -45,37 +40,23 @@ def pages_of(folder, paper):
     rule = f"<style>@page{{size:{paper};margin:12mm}}</style></head>"
     page.write_text(report.read_text(encoding="utf-8").replace("</head>", rule, 1), encoding="utf-8")
     pdf = folder / f"{paper}.pdf"
-    run(
-        "chromium",
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--no-pdf-header-footer",
-        f"--print-to-pdf={pdf}",
-        page.as_uri(),
-    )
-    return run("pdftotext", "-layout", pdf, "-").split("\f")
+    options = "--headless --no-sandbox --disable-gpu --no-pdf-header-footer".split()
+    output(*options, f"--print-to-pdf={pdf}", page.as_uri(), program="chromium")
+    return output("-layout", pdf, "-", program="pdftotext").split("\f")
 
 
-class Prints(unittest.TestCase):
+class Prints(ProgramTest):
     @classmethod
     def setUpClass(cls):
         if not (has("chromium") and has("pdftotext")):
             raise unittest.SkipTest("chromium or pdftotext is missing")
-        cls.work = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.work.cleanup)
-        work = pathlib.Path(cls.work.name)
-        run(PROGRAM, "new", "grocery", work / "store", "--quiet")
-        store = work / "store/store.json"
-        cls.few = plan_of(work / "few", store)
-        with (cls.few / "placement.csv").open(encoding="utf-8") as file:
-            cls.placement = list(csv.DictReader(file))
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        work = pathlib.Path(scratch.name)
+        output("new", "grocery", work / "store", "--quiet")
+        cls.few = plan_of(work / "few", work / "store/store.json")
         ids = re.findall(r'"id": "(G1-[^"]+)"', (cls.few / "store.json").read_text(encoding="utf-8"))
-        cls.many = plan_of(work / "many", store, sorted(ids, key=ids.index)[:: len(ids) // UNITS][:UNITS])
-
-    def rows(self, folder):
-        with (folder / "mounting.csv").open(encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        cls.many = with_units(work / "many", cls.few, sorted(ids, key=ids.index)[:: len(ids) // UNITS][:UNITS])
 
     def expect_row(self, text, row):
         """A line of the sheet with the number of the unit and both its distances."""
@@ -92,23 +73,23 @@ class Prints(unittest.TestCase):
 
     def test_units_stand_beside_their_distances(self):
         text = pages_of(self.few, "A4")[1]
-        for row in self.rows(self.few):
+        for row in self.rows(self.few / "mounting.csv"):
             self.expect_row(text, row)
-        wrong = dict(self.rows(self.few)[2], distance_1_cm="98765")
+        wrong = dict(self.rows(self.few / "mounting.csv")[2], distance_1_cm="98765")
         with self.assertRaises(AssertionError):
             self.expect_row(text, wrong)
 
     def test_names_in_the_table_are_legible_on_the_drawing(self):
         pages_of(self.few, "A4")
-        words = run("pdftotext", "-bbox", "-f", "2", "-l", "2", self.few / "A4.pdf", "-")
+        words = output("-bbox", "-f", "2", "-l", "2", self.few / "A4.pdf", "-", program="pdftotext")
         sizes = {}
         for x0, y0, x1, y1, word in re.findall(
             r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]+)<', words
         ):
             size = min(float(x1) - float(x0), float(y1) - float(y0))  # names are horizontal or vertical
             sizes.setdefault(word, []).append(size)
-        fixtures = {scene["id"] for scene in json.loads((self.few / "store.json").read_text())["fixtures"]}
-        texts = (row[key] for row in self.rows(self.few) for key in ("from_1", "from_2", "place"))
+        fixtures = {scene["id"] for scene in self.json(self.few / "store.json")["fixtures"]}
+        texts = (row[key] for row in self.rows(self.few / "mounting.csv") for key in ("from_1", "from_2", "place"))
         named = {word for text in texts for word in text.split()} & fixtures
         self.assertTrue(named)
         for name in named:
@@ -116,7 +97,7 @@ class Prints(unittest.TestCase):
             self.assertGreaterEqual(min(sizes[name]), 6, name)  # pt
 
     def test_sixty_units_take_two_pages(self):
-        rows = self.rows(self.many)
+        rows = self.rows(self.many / "mounting.csv")
         self.assertEqual(len(rows), UNITS)
         for paper in ("A4", "Letter"):
             pages = pages_of(self.many, paper)
@@ -126,8 +107,8 @@ class Prints(unittest.TestCase):
             self.assertIn("Coverage by shelf level", pages[3], paper)
 
     def test_numbers_are_those_of_the_sheet(self):
-        by_id = {row["id"]: row for row in self.rows(self.few)}
-        for unit in self.placement:
+        by_id = {row["id"]: row for row in self.rows(self.few / "mounting.csv")}
+        for unit in self.rows(self.few / "placement.csv"):
             row = by_id[unit["id"]]
             self.assertEqual(int(row["height_cm"]), round(100 * float(unit["z"])))
             if row["from_1"] == "wall at the left":
@@ -152,14 +133,13 @@ class Prints(unittest.TestCase):
             return ezdxf.tools.text.plain_text(ezdxf.lldxf.encoding.decode_dxf_unicode(text)).replace("\u200b", "")
 
         names = ["Kühl 1", "Köhl 1", "\\U+00DC1", "at 45%%d", "a^J", "%%c%%c", "50%"]
-        store = json.loads(pathlib.Path("test/data/field/plain_store.json").read_text(encoding="utf-8"))
+        store = self.json(ROOT / "test/data/field/plain_store.json")
         store["transceivers"] = {
             "installed": names,
             "list": [{"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(names)],
         }
-        path = pathlib.Path(self.work.name) / "names.json"
-        path.write_text(json.dumps(store), encoding="utf-8")
-        drawing = ezdxf.readfile(plan_of(path.with_suffix(""), path) / "mounting.dxf")
+        plan = plan_of(self.folder / "plan", self.write("names.json", store))
+        drawing = ezdxf.readfile(plan / "mounting.dxf")
         self.assertEqual(drawing.audit().errors, [])
         blocks = drawing.modelspace().query("INSERT")
         ids = [attribute.dxf.text for block in blocks for attribute in block.attribs if attribute.dxf.tag == "ID"]
@@ -171,8 +151,8 @@ class Prints(unittest.TestCase):
     def test_drawing_has_a_numbered_block_for_every_unit(self):
         ezdxf = self.ezdxf()
         for folder in (self.few, self.many):
-            with (folder / "placement.csv").open(encoding="utf-8") as file:
-                at = {unit["id"]: tuple(float(unit[axis]) for axis in "xyz") for unit in csv.DictReader(file)}
+            placed = self.rows(folder / "placement.csv")
+            at = {unit["id"]: tuple(float(unit[axis]) for axis in "xyz") for unit in placed}
             drawing = ezdxf.readfile(folder / "mounting.dxf")
             self.assertEqual(drawing.audit().errors, [])
             blocks = list(drawing.modelspace().query("INSERT"))
@@ -184,8 +164,4 @@ class Prints(unittest.TestCase):
                 numbers[texts["ID"]] = texts["NUMBER"]
                 for found, wanted in zip(block.dxf.insert, at[texts["ID"]]):
                     self.assertAlmostEqual(found, wanted, places=5)
-            self.assertEqual(numbers, {row["id"]: row["number"] for row in self.rows(folder)})
-
-
-if __name__ == "__main__":
-    unittest.main()
+            self.assertEqual(numbers, {row["id"]: row["number"] for row in self.rows(folder / "mounting.csv")})

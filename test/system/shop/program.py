@@ -1,25 +1,15 @@
 """Runs the program on a store and reads its files."""
 
 import json
-import os
-import pathlib
 import re
 import struct
-import subprocess
 from dataclasses import dataclass
 
 import h5py
 import numpy as np
+from harness import ROOT, output
 
-PROGRAM = os.environ["SHELFBEAM"]
-SHOP = pathlib.Path(__file__).parents[2] / "data/l_shaped_shop.json"
-
-
-def run(*arguments):
-    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise RuntimeError(done.stderr)
-    return done.stdout
+SHOP = ROOT / "test/data/l_shaped_shop.json"
 
 
 def read_shop():
@@ -55,16 +45,16 @@ class Signals:
     error: np.ndarray
 
 
-def simulate(store, output, *options):
-    run("simulate", store, "-o", output, "--quiet", *options)
-    with h5py.File(output) as file:
-        rows, columns = (np.array(file[f"{kind}/id"].asstr()[:]) for kind in ("labels", "transceivers"))
+def simulate(store, file, *options):
+    output("simulate", store, "-o", file, "--quiet", *options)
+    with h5py.File(file) as content:
+        rows, columns = (np.array(content[f"{kind}/id"].asstr()[:]) for kind in ("labels", "transceivers"))
         order = np.ix_(np.argsort(rows), np.argsort(columns))
-        values = [file["labels"][key][:] for key in ("position", "normal")] + [file["labels/type"].asstr()[:]]
-        units = zip(file["transceivers/position"][:], file["transceivers/axis"][:])
+        values = [content["labels"][key][:] for key in ("position", "normal")] + [content["labels/type"].asstr()[:]]
+        units = zip(content["transceivers/position"][:], content["transceivers/axis"][:])
         return Signals(
             dict(zip(rows, zip(*values))),
             dict(zip(columns, units)),
-            file["mean"][:][order].astype(float),
-            file["standard_error"][:][order].astype(float),
+            content["mean"][:][order].astype(float),
+            content["standard_error"][:][order].astype(float),
         )

@@ -185,14 +185,8 @@ def store(of, shop=Shop()):
     parts = []
     for material, triangles in surfaces(shop):
         vertices = triangles.reshape(-1, 3).tolist()
-        parts.append(
-            {
-                "name": f"{len(parts)}",
-                "material": material,
-                "vertices": vertices,
-                "faces": [[k, k + 1, k + 2] for k in range(0, len(vertices), 3)],
-            }
-        )
+        faces = [[k, k + 1, k + 2] for k in range(0, len(vertices), 3)]
+        parts.append({"name": f"{len(parts)}", "material": material, "vertices": vertices, "faces": faces})
     return {
         **{key: of[key] for key in ("materials", "label_types", "transceiver_types")},
         "fixtures": [{"type": "mesh", "id": "shop", "at": [0, 0, 0], "parts": parts}],

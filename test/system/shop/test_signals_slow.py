@@ -65,7 +65,3 @@ class Signals(unittest.TestCase):
     def test_controls_are_rejected(self):
         for shop in (shop_twin.Shop(zone_height=2.6), shop_twin.Shop(fascia="cream")):
             self.assertFalse(self.agreement(shop).passes(), shop)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -9,6 +9,7 @@ import numpy as np
 
 import program
 import shop_twin
+from harness import output
 
 RAYS = 60  # per device
 DEVICES = ("labels", "candidates")
@@ -29,18 +30,21 @@ def areas(triangles, materials):
 def first_hits(origins, directions, triangles, materials):
     """Distance and material of the first hit of each ray (Moeller and Trumbore 1997)."""
     a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
-    distance, hit = np.full(len(origins), np.inf), np.full(len(origins), -1)
     normal = np.cross(b, c)
-    for k, (origin, direction) in enumerate(zip(origins, directions)):
-        moment = np.cross(origin - a, direction)
+
+    def of_part(o, d):
+        """The factors of the rays' directions, infinite where a ray (row) does not meet a triangle (column)."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            scale = -1 / (normal @ direction)
-            u, v = np.sum(c * moment, axis=1) * scale, -np.sum(b * moment, axis=1) * scale
-            t = np.sum((origin - a) * normal, axis=1) * scale
-        t = np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0), t, np.inf)
-        hit[k] = np.argmin(t)
-        distance[k] = t[hit[k]]
-    return distance, materials[hit]
+            scale = -1 / (d @ normal.T)
+            # (o - a) x d = o x d - a x d, and (a x d) c = d (c x a)
+            u = (np.cross(o, d) @ c.T - d @ np.cross(c, a).T) * scale
+            v = (d @ np.cross(b, a).T - np.cross(o, d) @ b.T) * scale
+            t = (o @ normal.T - np.sum(a * normal, axis=1)) * scale
+        return np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0), t, np.inf)
+
+    parts = [of_part(*part) for part in zip(np.array_split(origins, 16), np.array_split(directions, 16))]
+    hit = np.concatenate([np.argmin(part, axis=1) for part in parts])
+    return np.concatenate([part.min(axis=1) for part in parts]), materials[hit]
 
 
 class Surfaces(unittest.TestCase):
@@ -48,9 +52,9 @@ class Surfaces(unittest.TestCase):
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
-            program.run("inspect", program.SHOP, "-o", folder / "shop.glb")
+            output("inspect", program.SHOP, "-o", folder / "shop.glb")
             cls.model = [part for part in program.model_surfaces(folder / "shop.glb") if part[0] not in DEVICES]
-            cls.signals = program.simulate(program.SHOP, folder / "shop.h5", "--samples", "64")
+            cls.signals = program.simulate(program.SHOP, folder / "shop.h5", "--samples", 64, "--estimator", "uniform")
         places = [label[0] for label in shop_twin.labels().values()] + list(shop_twin.candidates().values())
         origins = np.repeat(np.array(places), RAYS, axis=0)
         directions = np.random.default_rng(1).normal(size=origins.shape)
@@ -71,12 +75,8 @@ class Surfaces(unittest.TestCase):
             self.assertGreater(self.different_rays(shop_twin.surfaces(shop_twin.Shop(**change))), 5, change)
 
     def test_fixtures_have_equal_areas(self):
-        room = (
-            "room",
-            "ceiling",
-            "ceiling bakery",
-            "W",
-        )  # where these touch, the program omits the parts that the others cover
+        # Where these touch, the program omits the parts that the others cover.
+        room = ("room", "ceiling", "ceiling bakery", "W")
         model = areas(*joined(part[1:] for part in self.model if part[0] not in room))
         twin = areas(*joined(shop_twin.fixtures()))
         self.assertEqual(set(model), {"steel", "carton", "wood", "brick"})
@@ -97,7 +97,3 @@ class Surfaces(unittest.TestCase):
         for name, (position, axis) in self.signals.units.items():
             np.testing.assert_allclose(position, expected[name], atol=1e-9, err_msg=name)
             np.testing.assert_array_equal(axis, [0, 0, -1])
-
-
-if __name__ == "__main__":
-    unittest.main()

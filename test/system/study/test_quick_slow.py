@@ -2,38 +2,36 @@
 
 import csv
 import json
-import os
 import re
-import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[3]
+from harness import ROOT, run
+
+SCRIPT = ROOT / "scripts/reproduce"
 SVG = ".//{*}svg"
 
 
 class QuickStudy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.temporary.name) / "study"
-        cls.first = cls.reproduce("--quick", str(cls.folder))
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name) / "study"
+        cls.first = cls.reproduce()
         html = (cls.folder / "study.html").read_text(encoding="utf-8")
         cls.root = ElementTree.fromstring(html.split("\n", 1)[1])
         cls.words = " ".join("".join(cls.root.find("{*}body").itertext()).split())
 
     @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    @staticmethod
-    def reproduce(*arguments):
-        done = subprocess.run([str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise AssertionError(done.stderr)
-        return done
+    def reproduce(cls):
+        """The messages of the script."""
+        end = run("--quick", cls.folder, program=SCRIPT)
+        if end.status:
+            raise AssertionError(end.err)
+        return end.err
 
     def rows(self, name):
         with open(self.folder / f"{name}.csv", encoding="utf-8", newline="") as file:
@@ -48,28 +46,12 @@ class QuickStudy(unittest.TestCase):
 
     def test_every_figure_of_the_paper_has_its_like(self):
         captions = self.figures()
-        for name in (
-            "Fig. 2.8",
-            "Fig. 2.9",
-            "Fig. 2.10",
-            "Fig. 2.11",
-            "Fig. 2.12",
-            "Fig. 2.13",
-            "Fig. 3.2a",
-            "Fig. 3.2b",
-            "Fig. 3.3a",
-            "Fig. 3.3b",
-            "Fig. 3.4a",
-            "Fig. 3.4b",
-            "Fig. 3.5a",
-            "Fig. 3.5b",
-            "Fig. 3.6",
-            "Fig. 3.7",
-        ):
-            found = [figure for caption, figure in captions.items() if re.search(re.escape(name) + r"\b", caption)]
-            self.assertTrue(found, name)
+        for number in "2.8 2.9 2.10 2.11 2.12 2.13 3.2a 3.2b 3.3a 3.3b 3.4a 3.4b 3.5a 3.5b 3.6 3.7".split():
+            name = re.escape(f"Fig. {number}") + r"\b"
+            found = [figure for caption, figure in captions.items() if re.search(name, caption)]
+            self.assertTrue(found, number)
             for figure in found:
-                self.assertTrue(figure.findall(SVG) or figure.findall(".//{*}img"), name)
+                self.assertTrue(figure.findall(SVG) or figure.findall(".//{*}img"), number)
         for caption, figure in captions.items():
             if caption.startswith("Fig. 2."):
                 self.assertEqual(len([svg for svg in figure.findall(SVG) if svg.get("class") == "m"]), 6, caption)
@@ -86,9 +68,8 @@ class QuickStudy(unittest.TestCase):
         self.assertEqual([row[2] for row in table[1:]], ["8", "6"])
         self.assertEqual(table[1][4], "54 %")
         for row, samples in zip(table[1:], (5000, 25000)):
-            answer = json.loads(
-                (self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json").read_text(encoding="utf-8")
-            )
+            file = self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json"
+            answer = json.loads(file.read_text(encoding="utf-8"))
             self.assertEqual(answer["status"], "optimal")
             self.assertEqual(row[1], str(answer["count"]))
             self.assertEqual(row[3], f"{100 * answer['redundant_share']:.0f} %")
@@ -127,20 +108,12 @@ class QuickStudy(unittest.TestCase):
 
     def test_a_second_run_has_nothing_to_do(self):
         before = (self.folder / "study.html").read_bytes()
-        self.assertRegex(self.first.stderr, r" [1-9]\d* runs of the program")
-        again = self.reproduce("--quick", str(self.folder))
-        self.assertIn(" 0 runs of the program", again.stderr)
-        self.assertNotIn("simulating", again.stderr)
+        self.assertRegex(self.first, r" [1-9]\d* runs of the program")
+        again = self.reproduce()
+        self.assertIn(" 0 runs of the program", again)
+        self.assertNotIn("simulating", again)
         self.assertEqual((self.folder / "study.html").read_bytes(), before)
 
     def test_wrong_arguments(self):
-        for arguments in (["--fast"], ["--time-limit", "-1"]):
-            done = subprocess.run(
-                [str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False
-            )
-            self.assertEqual(done.returncode, 2)
-
-
-if __name__ == "__main__":
-    os.environ.setdefault("SHELFBEAM", str(TOP / "build/release/shelfbeam"))
-    unittest.main()
+        for arguments in ("--fast", "--time-limit -1"):
+            self.assertEqual(run(arguments, program=SCRIPT).status, 2)

@@ -1,16 +1,11 @@
 #include "shelfbeam/base/cores.hpp"
 
-#include <limits>
-
-#include <gtest/gtest.h>
 #include <sched.h>
 
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::TempFolder;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -60,4 +55,4 @@ TEST(Cores, AreThoseOnWhichTheProcessMayRun) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

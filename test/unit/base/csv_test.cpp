@@ -1,20 +1,12 @@
 #include "shelfbeam/base/csv.hpp"
 
-#include <cmath>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using namespace std::string_literals;
@@ -39,7 +31,7 @@ std::vector<double> numbers_of(const std::string& text) {
 }
 
 void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string message = test::input_error([&] { numbers_of(text); });
+  const std::string message = input_error([&] { numbers_of(text); });
   EXPECT_TRUE(message.starts_with("f.csv")) << text << ": " << message;
   for (const std::string& part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << text << ": '" << part << "' is not in: " << message;
@@ -71,7 +63,7 @@ TEST(Csv, LinesAreCountedWithAllLineEnds) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     expect_refused(with("a;b\n1;2\n1;x\n", ",", end), {"line 3, field 2", "'x'"});
     const std::string quoted = with("sep=;\na;b\n\n1;\"2\n\"\nx;\"2", ",", end);
-    EXPECT_EQ(test::input_error([&] { rows_of(quoted); }),
+    EXPECT_EQ(input_error([&] { rows_of(quoted); }),
               "f.csv: line 6, field 2: has an unclosed quote; close it with '\"'");
   }
 }
@@ -105,7 +97,7 @@ TEST(Csv, RefusesAmbiguousNumbers) {
   expect_refused("a,b\n1,\"1,500\"\n", {"line 2, field 2", "'1,500'"});
   expect_refused("a;b\n1;2,5x\n", {"'2,5x'", "a number is expected"});
   expect_refused("a;b\n1;,\n", {"','"});
-  EXPECT_EQ(test::input_error([] { numbers_of("a;b\n1;2,5x\n"); }).find("thousands"), std::string::npos);
+  EXPECT_EQ(input_error([] { numbers_of("a;b\n1;2,5x\n"); }).find("thousands"), std::string::npos);
 }
 
 TEST(Csv, ReadsThousandsThatShowTheirMark) {
@@ -167,8 +159,8 @@ TEST(Csv, WholeLengthsShowThatTheSeparatorDoesNotTellTheMark) {
   EXPECT_EQ(lengths("a;b\n0,250;0\n1,250;0\n2;0\n"), (std::vector<double>{0.25, 1.25, 2}));
   EXPECT_EQ(lengths("a;b\n1,250;0\n2,125;0\n0;0\n"), (std::vector<double>{1.25, 2.125, 0}));
   for (const char* text : {"a;b\n250;0\n1,250;0\n", "a,b\n1.250,0\n250,0\n", "a,b\n1.250 mm,0\n250 mm,0\n"})
-    test::expect_input_error([&] { lengths(text); }, std::string_view("thousands separator"),
-                             std::string_view("write '1250' or '1"));
+    expect_input_error([&] { lengths(text); }, std::string_view("thousands separator"),
+                       std::string_view("write '1250' or '1"));
 }
 
 TEST(Csv, CountsFields) {
@@ -180,11 +172,11 @@ TEST(Csv, CountsFields) {
   };
   EXPECT_EQ(read("1,2"), 2u);
   EXPECT_EQ(read("1,2,3,,"), 5u) << "empty fields at the end";
-  EXPECT_EQ(test::input_error([&] { read("1"); }), "f.csv: line 1: has 1 field; 2 are expected, at least");
-  const std::string many = test::input_error([&] { read("1,5,2,5"); });
+  EXPECT_EQ(input_error([&] { read("1"); }), "f.csv: line 1: has 1 field; 2 are expected, at least");
+  const std::string many = input_error([&] { read("1,5,2,5"); });
   EXPECT_NE(many.find("has 4 fields; 3 are expected, at least; numbers with decimal commas"),
             std::string::npos);
-  EXPECT_EQ(test::input_error([&] { read("1;5;2;5"); }).find("decimal"), std::string::npos);
+  EXPECT_EQ(input_error([&] { read("1;5;2;5"); }).find("decimal"), std::string::npos);
 }
 
 TEST(Csv, FillsMergedCellsDown) {
@@ -199,7 +191,7 @@ TEST(Csv, FillsMergedCellsDown) {
 
 TEST(Csv, RefusesOtherEncodingsAndSeparators) {
   const auto refused = [](const std::string& text, const std::string& part) {
-    const std::string message = test::input_error([&] { rows_of(text); });
+    const std::string message = input_error([&] { rows_of(text); });
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   refused("\xFF\xFEi\0d\0"s, "is UTF-16; save it as UTF-8");
@@ -219,9 +211,8 @@ TEST(Csv, IdsArePrintable) {
   EXPECT_EQ(id("Kühlregal 3,x"), "Kühlregal 3");
   const std::vector<std::string> bad{"a\x1B[31m", "a\nb", "a\u202Eb", "\xE2\x80\x8B", "a\xC2\x85"};
   for (const std::string& text : bad)
-    EXPECT_NE(
-        test::input_error([&] { id("\"" + text + "\""); }).find("field 1: has the unprintable character"),
-        std::string::npos)
+    EXPECT_NE(input_error([&] { id("\"" + text + "\""); }).find("field 1: has the unprintable character"),
+              std::string::npos)
         << text;
 }
 
@@ -248,4 +239,4 @@ TEST(Csv, FormulasSurviveTheRoundTrip) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

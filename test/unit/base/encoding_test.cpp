@@ -1,23 +1,13 @@
 #include "shelfbeam/base/encoding.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
 
 enum class ByteOrder { little, big };
 
@@ -145,4 +135,4 @@ TEST(Encoding, ErrorsEscapeBytesOfFiles) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,20 +1,14 @@
 #include "shelfbeam/base/file.hpp"
 
 #include <chrono>
-#include <fstream>
 #include <thread>
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::TempFolder;
 
 TEST(ReadFile, GivesAllBytes) {
   const TempFolder folder;
@@ -257,8 +251,8 @@ TEST(OutputFolder, IsMadeWithItsParents) {
 TEST(Files, ExpectsRoomOnTheDisk) {
   const TempFolder folder;
   EXPECT_NO_THROW(expect_room(folder.path(), 1));
-  test::expect_input_error([&] { expect_room(folder.path(), 1e24); }, "1e+18 MB of disk space are needed",
-                           " are free");
+  expect_input_error([&] { expect_room(folder.path(), 1e24); }, "1e+18 MB of disk space are needed",
+                     " are free");
 }
 
 TEST(Files, OnlyRegularFilesOfALimitedSizeAreRead) {
@@ -266,11 +260,17 @@ TEST(Files, OnlyRegularFilesOfALimitedSizeAreRead) {
   const auto file = folder.write("a", "12345");
   EXPECT_EQ(read_file(file, 5), "12345");
   EXPECT_EQ(input_size(file), 5U);
-  test::expect_input_error([&] { read_file(file, 4); }, "has 5 bytes", "the maximum is 4");
-  test::expect_input_error([&] { read_file("/dev/zero"); }, "/dev/zero", "is not a regular file");
-  test::expect_input_error([&] { read_file(folder.path()); }, "is a folder", "");
-  test::expect_input_error([&] { read_file(folder / "none"); }, "cannot be read (", "");
+  expect_input_error([&] { read_file(file, 4); }, "has 5 bytes", "the maximum is 4");
+  expect_input_error([&] { read_file("/dev/zero"); }, "/dev/zero", "is not a regular file");
+  expect_input_error([&] { read_file(folder.path()); }, "is a folder", "");
+  expect_input_error([&] { read_file(folder / "none"); }, "cannot be read (", "");
+}
+
+TEST(FormatVersion, OfTheProgramAloneIsAccepted) {
+  EXPECT_NO_THROW(expect_format_version("a.file", 3, 3));
+  expect_input_error([] { expect_format_version("a.file", 4, 3); }, "a.file: ", "4", "newer");
+  expect_input_error([] { expect_format_version("a.file", 2, 3); }, "a.file: ", "2", "wrote it");
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,13 +1,10 @@
-#include <filesystem>
 #include <regex>
-#include <sstream>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 // Whether a text contains a flag; styles (var(--ink)) and flags of other programs are not ours.
@@ -39,4 +36,4 @@ TEST(LibraryTexts, FlagsAreSeen) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,10 +1,8 @@
 #include "shelfbeam/base/names.hpp"
 
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/json.hpp"
 
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 
 namespace shelfbeam {
 
@@ -13,6 +11,9 @@ template <>
 inline constexpr auto names_of<Fruit> =
     std::to_array<Named<Fruit>>({{"apple", Fruit::apple}, {"pear", Fruit::pear}});
 
+}  // namespace shelfbeam
+
+namespace shelfbeam::test {
 namespace {
 
 TEST(Names, AreReadAndWritten) {
@@ -26,10 +27,10 @@ TEST(Names, AreReadAndWritten) {
 TEST(Names, AreChoicesOfJson) {
   const JsonCursor fruits = JsonCursor::parse(R"(["pear", "peer"])", "fruits.json");
   EXPECT_EQ(fruits.element(0).choice<Fruit>(), Fruit::pear);
-  test::expect_input_error([&] { fruits.element(1).choice<Fruit>(); }, "fruits.json: [1]", "'pear'");
+  expect_input_error([&] { fruits.element(1).choice<Fruit>(); }, "fruits.json: [1]", "'pear'");
   const std::span<const Named<Fruit>> first(names_of<Fruit>.data(), 1);
-  test::expect_input_error([&] { fruits.element(0).choice<Fruit>(first); }, "'pear'");
+  expect_input_error([&] { fruits.element(0).choice<Fruit>(first); }, "'pear'");
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,14 +1,11 @@
 #include "shelfbeam/base/provenance.hpp"
 
-#include <sstream>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/error.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 // Values from the reference implementation (xxhsum -H2 and -H3, version 0.8).
@@ -70,4 +67,4 @@ TEST(RunControl, IsOptionalThroughout) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,13 +1,8 @@
 #include "shelfbeam/base/text.hpp"
 
-#include <array>
-#include <random>
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
-#include <gtest/gtest.h>
-
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -134,4 +129,4 @@ TEST(Text, NearestWordOfLongTextsTakesNoTime) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

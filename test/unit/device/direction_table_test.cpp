@@ -1,18 +1,12 @@
 #include "shelfbeam/device/direction_table.hpp"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/device/direction_densities.hpp"
 #include "shelfbeam/device/photometry/planes.hpp"
 
+#include "support/testing.hpp"
 #include "unit/device/profiles.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 // Simpson's rule, exact to 1e-13 for these smooth integrands.
@@ -67,10 +61,10 @@ TEST(DirectionTable, NeverSamplesZeroDensity) {
 }
 
 TEST(DirectionTable, IsZeroOutsideItsThetas) {
-  const DirectionTable ring(test::all_radians({30, 60}), {0}, {1, 2});
-  EXPECT_EQ(test::value_at(ring, 29.9, 0), 0);
-  EXPECT_NEAR(test::value_at(ring, 45, 200), 1.5, 1e-12);
-  EXPECT_EQ(test::value_at(ring, 60.1, 0), 0);
+  const DirectionTable ring(all_radians({30, 60}), {0}, {1, 2});
+  EXPECT_EQ(value_at(ring, 29.9, 0), 0);
+  EXPECT_NEAR(value_at(ring, 45, 200), 1.5, 1e-12);
+  EXPECT_EQ(value_at(ring, 60.1, 0), 0);
 }
 
 // Angle intervals of subnormal width must not give NaN.
@@ -142,4 +136,4 @@ TEST(TypeB, FineFilesAreResampledFiner) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,15 +1,11 @@
 #include "shelfbeam/device/emission.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/warp.hpp"
 
+#include "support/testing.hpp"
 #include "unit/device/profiles.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 TEST(Emission, SinTwoThetaPeaksAt45DegreesWithTheFluxOfThePaper) {
@@ -43,21 +39,19 @@ TEST(Emission, NarrowLobesKeepTheirDigits) {
 
 TEST(Emission, NothingLeavesBackwards) {
   const std::vector<Emission> downward{SinTwoTheta{1.5}, IsotropicHemisphere{0.3},
-                                       GeneralizedLambertian{7.05, 0.1}, EmissionTable{test::axial_table()},
-                                       EmissionTable{test::lopsided_table()}};
+                                       GeneralizedLambertian{7.05, 0.1}, EmissionTable{axial_table()},
+                                       EmissionTable{lopsided_table()}};
   for (const Emission& profile : downward) EXPECT_EQ(intensity(profile, normalized({0.3, 0.2, -1})), 0);
   // A table may emit backwards.
-  EXPECT_GT(intensity(EmissionTable{test::axial_table()}, {std::sin(radians(93)), 0, std::cos(radians(93))}),
-            0);
+  EXPECT_GT(intensity(EmissionTable{axial_table()}, {std::sin(radians(93)), 0, std::cos(radians(93))}), 0);
 }
 
 // Compares with the mean of 100,000 azimuths, which differs from a linear interpolation between planes by
 // less than 1e-8.
 TEST(Emission, MeanIntensityIsTheAverageOverPhi) {
-  for (const Emission& profile :
-       {Emission(SinTwoTheta{1.5}), Emission(GeneralizedLambertian{7.05, 0.1}),
-        Emission(IsotropicHemisphere{0.3}), Emission(EmissionTable{test::axial_table()}),
-        Emission(EmissionTable{test::lopsided_table()})})
+  for (const Emission& profile : {Emission(SinTwoTheta{1.5}), Emission(GeneralizedLambertian{7.05, 0.1}),
+                                  Emission(IsotropicHemisphere{0.3}), Emission(EmissionTable{axial_table()}),
+                                  Emission(EmissionTable{lopsided_table()})})
     for (const double theta : {1e-9, 0.2, 1.0, 1.5, 3.0}) {  // on the axis a direction has no phi
       double sum = 0;
       constexpr int azimuths = 100'000;
@@ -69,7 +63,7 @@ TEST(Emission, MeanIntensityIsTheAverageOverPhi) {
       EXPECT_NEAR(mean_intensity(profile, theta), sum / azimuths, 1e-8) << theta;
     }
   // Control: the planes differ by far more.
-  const Emission lopsided = EmissionTable{test::lopsided_table()};
+  const Emission lopsided = EmissionTable{lopsided_table()};
   EXPECT_GT(std::abs(intensity(lopsided, {std::sin(1.0), 0, std::cos(1.0)}) - mean_intensity(lopsided, 1)),
             1e-3);
 }
@@ -79,7 +73,7 @@ TEST(Emission, TablesInterpolateBetweenTheirPoints) {
     const double t = radians(theta_deg), p = radians(phi_deg);
     return Vec3{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
   };
-  const Emission axial = EmissionTable{test::axial_table()}, lopsided = EmissionTable{test::lopsided_table()};
+  const Emission axial = EmissionTable{axial_table()}, lopsided = EmissionTable{lopsided_table()};
   EXPECT_NEAR(intensity(axial, at(15, 77)), 2.5, 1e-12);
   EXPECT_NEAR(intensity(axial, at(60, 200)), 1, 1e-12);
   EXPECT_NEAR(intensity(lopsided, at(45, 0)), 2, 1e-12);
@@ -89,4 +83,4 @@ TEST(Emission, TablesInterpolateBetweenTheirPoints) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

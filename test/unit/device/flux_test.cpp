@@ -1,19 +1,11 @@
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "support/hypothesis.hpp"
+#include "support/testing.hpp"
 #include "unit/device/profiles.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 // The digits of k mirrored at the radix point: the van der Corput sequence; bases 2 and 3 give Halton's.
@@ -70,9 +62,9 @@ struct Integrals {
 // integrals (of the narrowest lobe; far less for others), so any integral that is 1 % wrong is noticed.
 TEST(Flux, OfEveryProfileIsItsQuasiRandomIntegral) {
   Integrals all;
-  for (const auto& [name, e] : test::profiles())
+  for (const auto& [name, e] : profiles())
     all.add(name, power(e), [&profile = e](const Vec3& d) { return intensity(profile, d); });
-  for (const auto& [name, r] : test::responses())
+  for (const auto& [name, r] : responses())
     all.add(name, integral(r), [&heard = r](const Vec3& d) { return response(heard, d.z); });
   const ZTest test = all.test();
   EXPECT_TRUE(test.pass) << all.names[test.worst] << ": " << all.claimed[test.worst] << " is not "
@@ -86,4 +78,4 @@ TEST(Flux, OfEveryProfileIsItsQuasiRandomIntegral) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,21 +1,11 @@
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/error.hpp"
 
-#include "support/expect_input_error.hpp"
 #include "support/line_ends.hpp"
+#include "support/testing.hpp"
 #include "unit/device/photometry_files.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::with_line_ends;
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
   const auto at = text.find(from);
@@ -30,12 +20,12 @@ void expect_same(const DirectionTable& a, const DirectionTable& b, const std::st
 }
 
 TEST(PhotometryTorture, LineEndsByteOrderMarksAndBlanksDoNotMatter) {
-  for (const auto& file : test::corpus()) {
-    const bool ies = test::is_ies(file);
+  for (const auto& file : corpus()) {
+    const bool ies = is_ies(file);
     const std::string text = read_file(file), name = file.filename().string();
-    const DirectionTable expected = test::parse_photometry(ies, text, name);
+    const DirectionTable expected = parse_photometry(ies, text, name);
     const auto check = [&](const std::string& variant, const std::string& what) {
-      expect_same(test::parse_photometry(ies, variant, name), expected, fmt::format("{} {}", name, what));
+      expect_same(parse_photometry(ies, variant, name), expected, fmt::format("{} {}", name, what));
     };
     check(with_line_ends(text, "\r\n"), "CR LF");
     check(with_line_ends(text, "\r"), "CR");
@@ -60,23 +50,23 @@ std::string reflowed(const std::string& text, std::size_t count) {
 
 TEST(PhotometryTorture, LineBreaksBetweenNumbersDoNotMatterInIes) {
   std::size_t files = 0;
-  for (const auto& file : test::corpus()) {
-    if (!test::is_ies(file)) continue;
+  for (const auto& file : corpus()) {
+    if (!is_ies(file)) continue;
     ++files;
     const std::string text = read_file(file), name = file.filename().string();
-    const DirectionTable expected = test::parse_photometry(true, text, name);
+    const DirectionTable expected = parse_photometry(true, text, name);
     for (const std::size_t count : {1U, 3U, 7U, 1000U})
-      expect_same(test::parse_photometry(true, reflowed(text, count), name), expected,
+      expect_same(parse_photometry(true, reflowed(text, count), name), expected,
                   fmt::format("{} in lines of {}", name, count));
     std::string pages = reflowed(text, 7);
     pages.insert(pages.find('\n', pages.find("TILT=")) + 1, "\f\v");
-    expect_same(test::parse_photometry(true, pages, name), expected, name + " with a form feed");
+    expect_same(parse_photometry(true, pages, name), expected, name + " with a form feed");
     // A number too many or too few is still an error, and names the first line that is suspicious.
     const std::string all = reflowed(text, 1000);
-    test::expect_input_error([&] { test::parse_photometry(true, all + " 7", name); }, name, "'7'");
-    test::expect_input_error(
-        [&] { test::parse_photometry(true, all.substr(0, all.find_last_of(' ', all.size() - 3)), name); },
-        name, "truncated");
+    expect_input_error([&] { parse_photometry(true, all + " 7", name); }, name, "'7'");
+    expect_input_error(
+        [&] { parse_photometry(true, all.substr(0, all.find_last_of(' ', all.size() - 3)), name); }, name,
+        "truncated");
   }
   EXPECT_GT(files, 5U);
 }
@@ -86,32 +76,31 @@ TEST(PhotometryTorture, EulumdatMayBeginAt90Degrees) {
   const DirectionTable table = parse_eulumdat(text, "a");
   EXPECT_NEAR(table.theta().front(), radians(90), 1e-12);
   EXPECT_NEAR(table.theta().back(), radians(180), 1e-12);
-  test::expect_input_error([&] { parse_eulumdat(replaced(text, "\n90\n120", "\n80\n120"), "a"); },
-                           "gamma angle is 80", "0 or 90");
+  expect_input_error([&] { parse_eulumdat(replaced(text, "\n90\n120", "\n80\n120"), "a"); },
+                     "gamma angle is 80", "0 or 90");
 }
 
 TEST(PhotometryTorture, WideTextsAreNamed) {
-  for (const auto& file : test::corpus()) {
-    std::string wide = "\xFF\xFE";
-    for (const char c : read_file(file)) wide += {c, '\0'};
-    test::expect_input_error([&] { test::parse_photometry(test::is_ies(file), wide, "a"); }, "a: is UTF-16");
+  for (const auto& file : corpus()) {
+    const std::string wide = in_utf16(read_file(file));
+    expect_input_error([&] { parse_photometry(is_ies(file), wide, "a"); }, "a: is UTF-16");
   }
 }
 
 // Every line of a file is required, including the last.
 TEST(PhotometryTorture, TruncationAtAnyLineIsOneClearError) {
-  for (const auto& file : test::corpus()) {
+  for (const auto& file : corpus()) {
     const std::string text = read_file(file), name = file.filename().string();
     for (std::size_t end = text.rfind('\n', text.size() - 2); end != std::string::npos;
          end = end == 0 ? std::string::npos : text.rfind('\n', end - 1)) {
       const std::string message =
-          test::input_error([&] { test::parse_photometry(test::is_ies(file), text.substr(0, end), name); });
+          input_error([&] { parse_photometry(is_ies(file), text.substr(0, end), name); });
       EXPECT_TRUE(message.starts_with(name)) << message;
       EXPECT_TRUE(message.find("truncated") != std::string::npos ||
                   message.find("more than") != std::string::npos)
           << name << " up to character " << end << ": " << message;
     }
-    EXPECT_FALSE(test::input_error([&] { test::parse_photometry(test::is_ies(file), "", name); }).empty());
+    EXPECT_FALSE(input_error([&] { parse_photometry(is_ies(file), "", name); }).empty());
   }
 }
 
@@ -183,14 +172,14 @@ TEST(PhotometryTorture, MistakesAreNamedWithTheirLine) {
       {three, "\n270\n", "\n271\n", {"C-plane at 270"}},
   };
   for (const Mistake& mistake : mistakes) {
-    const auto file = test::corpus_folder / mistake.file;
+    const auto file = corpus_folder / mistake.file;
     const std::string text = replaced(read_file(file), mistake.from, mistake.to);
-    const auto parse = [&] { test::parse_photometry(test::is_ies(file), text, mistake.file); };
+    const auto parse = [&] { parse_photometry(is_ies(file), text, mistake.file); };
     if (mistake.said.empty()) {
       EXPECT_NO_THROW(parse()) << mistake.to;
       continue;
     }
-    const std::string message = test::input_error(parse);
+    const std::string message = input_error(parse);
     EXPECT_TRUE(message.starts_with(mistake.file + ":")) << message;
     for (const std::string& part : mistake.said)
       EXPECT_NE(message.find(part), std::string::npos)
@@ -199,11 +188,10 @@ TEST(PhotometryTorture, MistakesAreNamedWithTheirLine) {
 }
 
 TEST(PhotometryTorture, TheOtherFormatIsRecognised) {
-  test::expect_input_error([] { read_ies(test::corpus_folder / "symmetry_0.ldt"); }, "TILT", "eulumdat");
-  test::expect_input_error([] { read_eulumdat(test::corpus_folder / "b_full.ies"); }, "b_full.ies: line 3",
-                           "symmetry");
-  test::expect_input_error([] { read_ies(test::corpus_folder / "none.ies"); }, "none.ies");
+  expect_input_error([] { read_ies(corpus_folder / "symmetry_0.ldt"); }, "TILT", "eulumdat");
+  expect_input_error([] { read_eulumdat(corpus_folder / "b_full.ies"); }, "b_full.ies: line 3", "symmetry");
+  expect_input_error([] { read_ies(corpus_folder / "none.ies"); }, "none.ies");
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

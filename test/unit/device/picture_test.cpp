@@ -1,10 +1,8 @@
 #include "shelfbeam/device/picture.hpp"
 
-#include <string>
+#include "support/testing.hpp"
 
-#include <gtest/gtest.h>
-
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using namespace std::string_literals;
@@ -36,4 +34,4 @@ TEST(Picture, IsReadBackAsWritten) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

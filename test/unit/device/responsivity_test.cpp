@@ -1,12 +1,9 @@
 #include "shelfbeam/device/responsivity.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
+#include "support/testing.hpp"
 #include "unit/device/profiles.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 double at_degrees(const Responsivity& r, double theta_deg) {
@@ -19,7 +16,7 @@ TEST(Responsivity, HasTheValuesOfItsDefinition) {
   EXPECT_NEAR(at_degrees(narrow, 45), std::pow(0.5, 1.5), 1e-15);
   EXPECT_GT(at_degrees(narrow, 49.999), 0);
   EXPECT_EQ(at_degrees(narrow, 50.001), 0);
-  const Responsivity table = ResponseTable{{test::all_radians({0, 20, 40, 75}), {0}, {1, 0.9, 0.3, 0.1}}};
+  const Responsivity table = ResponseTable{{all_radians({0, 20, 40, 75}), {0}, {1, 0.9, 0.3, 0.1}}};
   EXPECT_NEAR(at_degrees(table, 0), 1, 1e-8);
   EXPECT_NEAR(at_degrees(table, 30), 0.6, 1e-12);
   EXPECT_NEAR(at_degrees(table, 57.5), 0.2, 1e-12);
@@ -34,7 +31,7 @@ TEST(Responsivity, PowerOneIsTheCosine) {
 }
 
 TEST(Responsivity, IsZeroFromBehind) {
-  for (const auto& [name, r] : test::responses()) {
+  for (const auto& [name, r] : responses()) {
     EXPECT_EQ(at_degrees(r, 90.001), 0) << name;
     EXPECT_EQ(at_degrees(r, 180), 0) << name;
     EXPECT_EQ(pdf(r, {0, 0, -1}), 0) << name;
@@ -51,4 +48,4 @@ TEST(Responsivity, IntegralsAreTheClosedForms) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

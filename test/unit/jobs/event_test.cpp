@@ -1,13 +1,11 @@
 #include "jobs/event.hpp"
 
-#include <string>
 #include <thread>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/memory.hpp"
+
+#include "support/testing.hpp"
 
 namespace shelfbeam::jobs {
 namespace {
@@ -66,58 +64,62 @@ class Heard : public ProgressSink {
   void selection(const std::vector<std::string>& ids) override { selected = ids; }
 };
 
-TEST(JobEvents, ProgressIsPassedOnAtMostFourTimesASecond) {
+// Events of a run, and what is heard of them.
+struct Told {
   std::vector<std::string> lines;
-  EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
-  for (int k = 0; k < 100; ++k) progress.report(Task::simulating, 0.01 * k, "");
-  ASSERT_EQ(lines.size(), 1U);
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  progress.report(Task::proving, -1, ": x");
-  ASSERT_EQ(lines.size(), 2U);
+  EventProgress progress{[this](std::string_view line) { lines.emplace_back(line); }};
+
+  // What is heard when the next line may be written.
+  Heard next(Task task, const std::string& detail = "") {
+    const std::size_t before = lines.size();
+    for (int k = 0; lines.size() == before && k < 2000; ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      progress.report(task, -1, detail);
+    }
+    if (lines.size() == before) throw std::runtime_error("no line has been written");
+    Heard heard;
+    EXPECT_TRUE(pass_on(lines.back(), heard));
+    return heard;
+  }
+};
+
+TEST(JobEvents, ProgressIsPassedOnAtMostFourTimesASecond) {
+  Told run;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int k = 0; k < 100; ++k) run.progress.report(Task::simulating, 0.01 * k, "");
+  ASSERT_EQ(run.lines.size(), 1U);
   Heard heard;
-  for (const std::string& line : lines) EXPECT_TRUE(pass_on(line, heard)) << line;
-  EXPECT_EQ(heard.tasks, (std::vector<std::string>{"simulating with share", "proving: x"}));
+  EXPECT_TRUE(pass_on(run.lines.front(), heard));
+  EXPECT_EQ(heard.tasks, std::vector<std::string>{"simulating with share"});
+  EXPECT_EQ(run.next(Task::proving, ": x").tasks, std::vector<std::string>{"proving: x"});
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(250));
   EXPECT_FALSE(pass_on(line_of(JobResult{PlanSummary{}, true}), heard));
 }
 
 // A search that is a step of a stage has bounds of its own.
 TEST(JobEvents, BoundsAreThoseOfTheTask) {
-  std::vector<std::string> lines;
-  EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
-  const auto next = [&](Task task) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(260));
-    progress.report(task, -1, "");
-    Heard heard;
-    EXPECT_TRUE(pass_on(lines.back(), heard));
-    return heard.incumbent;
-  };
-  progress.bounds(5, 3);
-  EXPECT_EQ(next(Task::placing), 5);
-  EXPECT_EQ(next(Task::placing), 5);
-  EXPECT_EQ(next(Task::verifying), 0);
-  progress.bounds(7, 6);
-  EXPECT_EQ(next(Task::placing), 0);
-  EXPECT_EQ(lines.size(), 4U);
+  Told run;
+  run.progress.bounds(5, 3);
+  EXPECT_EQ(run.next(Task::placing).incumbent, 5);
+  EXPECT_EQ(run.next(Task::placing).incumbent, 5);
+  EXPECT_EQ(run.next(Task::verifying).incumbent, 0);
+  run.progress.bounds(7, 6);
+  EXPECT_EQ(run.next(Task::placing).incumbent, 0);
+  EXPECT_EQ(run.lines.size(), 4U);
 }
 
 // They may be long, and are written when they change; those of steps are not of the task.
 TEST(JobEvents, SelectionsAreWrittenOnce) {
-  std::vector<std::string> lines;
-  EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
-  const auto next = [&](Task task, const std::vector<std::string>& ids) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(260));
-    progress.selection(ids);
-    progress.report(task, -1, "");
-    Heard heard;
-    EXPECT_TRUE(pass_on(lines.back(), heard));
-    return heard.selected;
-  };
   using Ids = std::vector<std::string>;
-  EXPECT_EQ(next(Task::placing, {"a", "b"}), (Ids{"a", "b"}));
-  EXPECT_EQ(next(Task::placing, {"a", "b"}), Ids{"before"});
-  EXPECT_EQ(next(Task::placing, {"a"}), Ids{"a"});
-  EXPECT_EQ(next(Task::verifying, {}), Ids{});
-  EXPECT_EQ(next(Task::placing, {"c"}), Ids{"before"});
+  Told run;
+  for (const auto& [task, ids, heard] : {std::tuple(Task::placing, Ids{"a", "b"}, Ids{"a", "b"}),
+                                         {Task::placing, {"a", "b"}, {"before"}},
+                                         {Task::placing, {"a"}, {"a"}},
+                                         {Task::verifying, {}, {}},
+                                         {Task::placing, {"c"}, {"before"}}}) {
+    run.progress.selection(ids);
+    EXPECT_EQ(run.next(task).selected, heard);
+  }
   PlanSummary summary;
   summary.selected = {"a"};
   const auto end = read_end(line_of(JobResult{summary, true}));

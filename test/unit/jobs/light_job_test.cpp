@@ -1,19 +1,12 @@
 #include "jobs/preview/light_job.hpp"
 
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "jobs/preview/light_frame.hpp"
 #include "jobs/preview/preview_job.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/plan/plan_store.hpp"
 
 namespace shelfbeam::jobs {

@@ -1,11 +1,8 @@
 #include "jobs/plan_job_json.hpp"
 
-#include <string>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 
 namespace shelfbeam::jobs {
 namespace {

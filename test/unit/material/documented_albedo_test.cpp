@@ -1,16 +1,9 @@
-#include <cmath>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/material.hpp"
 
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 /// A row of a table of docs/methods/materials.md that begins with the name of a material.
@@ -45,7 +38,7 @@ double computed(const Row& row, double angle) {
   using enum FacetDistribution;
   const auto ggx_facets = make_microfacets(ggx, row.roughness, row.roughness);
   const auto beckmann_facets = make_microfacets(beckmann, row.roughness, row.roughness);
-  const Vec3 w = test::direction_at(angle);
+  const Vec3 w = direction_at(angle);
   if (row.material == "ideal metal, ggx") return albedo(make_conductor(0, 1, ggx_facets), w);
   if (row.material == "ideal metal, beckmann") return albedo(make_conductor(0, 1, beckmann_facets), w);
   if (row.material == "glass from outside, ggx") return albedo(make_dielectric(1.5, ggx_facets), w);
@@ -66,12 +59,13 @@ TEST(Documentation, AlbedosAreThoseOfTheProgram) {
       const double error = row.material.starts_with("glass") ? 2.5e-3 : 7e-4;
       EXPECT_NEAR(row.albedos[k], computed(row, angles[k]), error)
           << row.material << " " << row.roughness << " at " << angles[k];
+      if (angles[k] != 60) continue;
       Row other = row;
       other.roughness = std::min(1.0, 1.5 * row.roughness);
       differ += std::abs(row.albedos[k] - computed(other, angles[k])) > error;
     }
-  EXPECT_GT(differ, 50);
+  EXPECT_GT(differ, 10);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,18 +1,12 @@
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/random.hpp"
 
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 #include "unit/material/sphere_cells.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::direction_at;
-using test::SphereCells;
 
 double integral_of_eval(const Material& material, const Vec3& wo) {
   const double plane = std::atan2(-wo.y, -wo.x);
@@ -24,8 +18,8 @@ double integral_of_eval(const Material& material, const Vec3& wo) {
 // control is a kernel that is 1 % too bright, where this is twice the tolerance.
 TEST(EnergySlow, OfAllDirectionsIsTheAlbedo) {
   int controls = 0;
-  for (const auto& [name, material, wrong] : test::rough_cases())
-    for (const Vec3& wo : test::directions_for(material)) {
+  for (const auto& [name, material, wrong] : rough_cases())
+    for (const Vec3& wo : directions_for(material)) {
       SCOPED_TRACE(fmt::format("{} at {:.1f} degrees", name, std::acos(wo.z) * 180 / pi));
       const double error = std::holds_alternative<Dielectric>(material) ? 2e-3 : 5e-4;
       const double specular = specular_reflectance(material, wo);
@@ -43,9 +37,9 @@ TEST(EnergySlow, OfAllDirectionsIsTheAlbedo) {
 // The brightest materials: ideal metal, plastic over a white base, glass. Quadrature errs by 1e-4.
 TEST(Energy, IsNeverGained) {
   using enum FacetDistribution;
-  for (const Microfacets& m : test::all_facets({{0.01, 0.01}, {0.05, 0.05}, {0.2, 0.2}, {1, 1}, {0.05, 1}}))
-    for (const double angle : {0.0, 45.0, 75.0, 85.0, 88.0, 89.5}) {
-      SCOPED_TRACE(fmt::format("{} at {}", test::name_of(m), angle));
+  for (const Microfacets& m : all_facets({{0.01, 0.01}, {0.05, 0.05}, {0.2, 0.2}, {1, 1}, {0.05, 1}}))
+    for (const double angle : {0.0, 75.0, 88.0, 89.5}) {
+      SCOPED_TRACE(fmt::format("{} at {}", name_of(m), angle));
       const Vec3 w = direction_at(angle);
       EXPECT_LE(albedo(make_conductor(0, 1, m), w), 1 + 1e-4);
       if (m.masking == Masking::smith) {
@@ -56,7 +50,7 @@ TEST(Energy, IsNeverGained) {
 }
 
 TEST(Energy, IsConservedByGlassAndIdealMirrors) {
-  for (const double angle : test::angles_deg) {
+  for (const double angle : angles_deg) {
     const Vec3 w = direction_at(angle);
     EXPECT_EQ(albedo(make_dielectric(1.5), w), 1);
     EXPECT_EQ(albedo(make_dielectric(1.5), -w), 1);
@@ -73,12 +67,12 @@ TEST(Energy, IsConservedByGlassAndIdealMirrors) {
 // f_hat(a, b) = f_hat(b, a) within rounding, also at grazing angles. The controls omit the indices, or
 // include the cosines.
 TEST(Reciprocity, HoldsInBasicRadiance) {
-  for (const auto& [name, material, wrong] : test::rough_cases()) {
+  for (const auto& [name, material, wrong] : rough_cases()) {
     SCOPED_TRACE(name);
     const bool solid = std::holds_alternative<Dielectric>(material);
     const auto index2 = [&](const Vec3& w) { return solid && w.z < 0 ? 2.25 : 1; };
     int compared = 0, crossing = 0, asymmetric = 0;
-    for (std::uint32_t k = 0; k < 4000; ++k) {
+    for (std::uint32_t k = 0; k < 2000; ++k) {
       const auto u = philox({k, 5, 0, 0}, 3);
       const auto direction = [&](double z, double phi, double side) {
         const double across = std::sqrt(1 - z * z);
@@ -93,8 +87,8 @@ TEST(Reciprocity, HoldsInBasicRadiance) {
       crossing += a.z * b.z < 0;
       asymmetric += std::abs((solid ? ab : ab * b.z) / (solid ? ba : ba * a.z) - 1) > 0.01;
     }
-    EXPECT_GT(compared, 300);
-    EXPECT_GT(asymmetric, 150);
+    EXPECT_GT(compared, 150);
+    EXPECT_GT(asymmetric, 75);
     if (solid) {
       EXPECT_EQ(asymmetric, crossing);
     }
@@ -102,4 +96,4 @@ TEST(Reciprocity, HoldsInBasicRadiance) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,25 +1,18 @@
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "support/hypothesis.hpp"
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::direction_at;
 
 TEST(Dielectric, RefractsBySnellsLaw) {
   const Material glass = make_dielectric(1.5);
-  for (const double angle : test::angles_deg) {
+  for (const double angle : angles_deg) {
     const Vec3 w = direction_at(angle);
     const auto in = sample(glass, w, 0.999999, 0, 0);
     ASSERT_TRUE(in && in->specular);
@@ -100,7 +93,7 @@ PaneShares pane_by_hand(double cos_i, double n, double thickness, double absorpt
 
 TEST(ThinDielectric, SumsAllReflectionsBetweenItsFaces) {
   for (const double absorption : {0.0, 2.0, 500.0})
-    for (const double angle : test::angles_deg) {
+    for (const double angle : angles_deg) {
       const ThinDielectric pane = make_thin_dielectric(1.5, 0.006, absorption);
       const double cos_i = std::cos(radians(angle));
       const auto [reflected, transmitted] = pane_shares(pane, cos_i);
@@ -178,4 +171,4 @@ TEST(ThinDielectric, RefusesInvalidParameters) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,26 +1,20 @@
 #include "shelfbeam/material/material.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/random.hpp"
 
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::direction_at;
 
 Vec3 turned(const Vec3& w) {
   return {w.x, w.y, -w.z};
 }
 
 TEST(Material, OpaqueOnesAreTheSameFromBothSides) {
-  for (const auto& [name, material, wrong] : test::rough_cases()) {
+  for (const auto& [name, material, wrong] : rough_cases()) {
     SCOPED_TRACE(name);
     if (std::holds_alternative<Dielectric>(material)) continue;
     const Vec3 a = direction_at(50), b = direction_at(40, 3.5);
@@ -80,7 +74,7 @@ TEST(Material, KnowsPureMirrors) {
 }
 
 TEST(Material, LightAlongTheSurfaceMeetsNothing) {
-  for (const auto& [name, material, wrong] : test::rough_cases()) {
+  for (const auto& [name, material, wrong] : rough_cases()) {
     EXPECT_EQ(eval(material, {1, 0, 0}, {0, 0, 1}), 0) << name;
     EXPECT_EQ(eval(material, {0, 0, 1}, {1, 0, 0}), 0) << name;
     EXPECT_FALSE(sample(material, {1, 0, 0}, 0.5, 0.5, 0.5)) << name;
@@ -90,7 +84,7 @@ TEST(Material, LightAlongTheSurfaceMeetsNothing) {
 // Values within 1e-9 rad of the surface, and with extreme random numbers, are finite and not negative.
 TEST(Material, StaysFiniteAtTheHorizon) {
   const double extremes[] = {0, 0x1p-32, 0.5, 1 - 0x1p-32};
-  for (const auto& [name, material, wrong] : test::rough_cases())
+  for (const auto& [name, material, wrong] : rough_cases())
     for (const double height : {1e-9, 1e-4, 0.02, 1.0})
       for (const double side : {1, -1}) {
         SCOPED_TRACE(fmt::format("{} at {}", name, side * height));
@@ -126,4 +120,4 @@ TEST(Material, HasTheNamesOfStoreFiles) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

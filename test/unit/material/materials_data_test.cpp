@@ -1,15 +1,12 @@
-#include <cmath>
-#include <fstream>
-#include <string>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
 #include "shelfbeam/math/warp.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 using Json = nlohmann::json;
@@ -111,4 +108,4 @@ TEST(MaterialsData, OpticalConstantsAgreeWithReflectances) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

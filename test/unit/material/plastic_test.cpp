@@ -1,18 +1,12 @@
 #include "shelfbeam/material/plastic.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/optics/fresnel.hpp"
 
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::direction_at;
 
 // 2 integral of f(mu) mu dmu by midpoints; the error is below 1e-6 for the functions here.
 template <class Function>
@@ -59,7 +53,7 @@ TEST(Plastic, SmoothCoatIsTheSumOfItsInterreflections) {
 
 TEST(Plastic, WithoutChangeOfIndexIsItsBase) {
   const Plastic plastic = make_plastic(1, 0.6);
-  for (const double angle : test::angles_deg) {
+  for (const double angle : angles_deg) {
     EXPECT_NEAR(plastic.eval(direction_at(angle), direction_at(30)), 0.6 / pi, 1e-12);
     EXPECT_NEAR(plastic.albedo(direction_at(angle)), 0.6, 1e-12);
   }
@@ -88,4 +82,4 @@ TEST(Plastic, RefusesInvalidParameters) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

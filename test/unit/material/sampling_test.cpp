@@ -1,22 +1,14 @@
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "support/hypothesis.hpp"
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 #include "unit/material/sphere_cells.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::SphereCells;
 
 constexpr std::uint32_t draws = 20000;
 
@@ -73,14 +65,14 @@ ChiSquareTest compare(const Drawn& drawn, const Material& expected, const Vec3& 
 // with the same samples. The mean weight is the albedo: z-test jointly at 1e-4; the quadrature of the albedo
 // adds an error of 1e-4 (rough glass 1e-3). Its control is the albedo of the next case.
 TEST(BsdfSamplingSlow, FollowsItsDensityAndAlbedo) {
-  const auto& cases = test::rough_cases();
+  const auto& cases = rough_cases();
   std::size_t tests = 0;
-  for (const auto& c : cases) tests += test::directions_for(c.material).size();
+  for (const auto& c : cases) tests += directions_for(c.material).size();
   std::vector<double> means, albedos, errors;
   std::vector<std::string> names;
   std::uint32_t stream = 0;
   for (const auto& [name, material, wrong] : cases)
-    for (const Vec3& wo : test::directions_for(material)) {
+    for (const Vec3& wo : directions_for(material)) {
       SCOPED_TRACE(fmt::format("{} at {:.1f} degrees", name, std::acos(wo.z) * 180 / pi));
       const Drawn drawn = draw(material, wo, ++stream);
       const auto right = compare(drawn, material, wo, 1e-4, tests);
@@ -102,4 +94,4 @@ TEST(BsdfSamplingSlow, FollowsItsDensityAndAlbedo) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

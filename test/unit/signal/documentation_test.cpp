@@ -1,22 +1,16 @@
 #include "support/documentation.hpp"
 
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/constraints/conflicts.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::TempFolder;
-
 TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
-  const auto csv = test::fenced_blocks("matrices.md", "csv");
-  const auto text = test::fenced_blocks("matrices.md", "text");
+  const auto csv = fenced_blocks("matrices.md", "csv");
+  const auto text = fenced_blocks("matrices.md", "text");
   ASSERT_EQ(csv.size(), 6u);
   ASSERT_EQ(text.size(), 3u);
   const TempFolder folder;
@@ -53,4 +47,4 @@ TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

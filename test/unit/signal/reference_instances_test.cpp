@@ -1,13 +1,9 @@
-#include <filesystem>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
@@ -44,11 +40,11 @@ TEST(ReferenceInstances, TruncatedGzipIsRefused) {
   const std::string whole = read_file(instances / "thesis_s1_e0.txt.gz");
   for (const std::size_t length :
        {std::size_t{3}, std::size_t{12}, whole.size() / 2, whole.size() - 9, whole.size() - 1})
-    test::expect_file_refused(read_signal_table, whole.substr(0, length));
+    expect_file_refused(read_signal_table, whole.substr(0, length));
   std::string damaged = whole;
   damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 0x10);
-  test::expect_file_refused(read_signal_table, damaged);
+  expect_file_refused(read_signal_table, damaged);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

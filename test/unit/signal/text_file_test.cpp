@@ -1,17 +1,13 @@
 #include "shelfbeam/signal/text_file.hpp"
 
-#include <string>
-
-#include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam::detail {
+namespace shelfbeam::test {
 namespace {
 
-std::filesystem::path zipped(const test::TempFolder& folder, const std::string& text) {
+std::filesystem::path zipped(const TempFolder& folder, const std::string& text) {
   std::filesystem::path path = folder / "matrix.csv.gz";
   const gzFile file = gzopen(path.c_str(), "wb9");
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
@@ -21,22 +17,22 @@ std::filesystem::path zipped(const test::TempFolder& folder, const std::string& 
 
 // Plain and compressed files, of sizes just below and above each growth of the reader's buffer.
 TEST(TextFile, OfAnySizeIsReadWhole) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 131072u, 5'000'000u}) {
     std::string text(size, '1');
     if (size > 2) text[size / 2] = ',';
-    EXPECT_EQ(read_text_file(folder.write("matrix.csv", text)), text) << size;
-    EXPECT_EQ(read_text_file(zipped(folder, text)), text) << size;
+    EXPECT_EQ(detail::read_text_file(folder.write("matrix.csv", text)), text) << size;
+    EXPECT_EQ(detail::read_text_file(zipped(folder, text)), text) << size;
   }
 }
 
 TEST(TextFile, UnpacksUpToTheLimit) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const std::filesystem::path bomb = zipped(folder, std::string(8'000'000, '0'));
   ASSERT_LT(std::filesystem::file_size(bomb), 20'000u) << "of eight million characters";
-  test::expect_input_error([&] { read_text_file(bomb, 7'999'999); }, bomb.string(), "7,999,999 bytes");
-  EXPECT_EQ(read_text_file(bomb, 8'000'000).size(), 8'000'000u);
+  expect_input_error([&] { detail::read_text_file(bomb, 7'999'999); }, bomb.string(), "7,999,999 bytes");
+  EXPECT_EQ(detail::read_text_file(bomb, 8'000'000).size(), 8'000'000u);
 }
 
 }  // namespace
-}  // namespace shelfbeam::detail
+}  // namespace shelfbeam::test

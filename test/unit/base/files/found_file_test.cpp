@@ -1,21 +1,17 @@
 #include "shelfbeam/base/files/found_file.hpp"
 
 #include <cerrno>
-#include <filesystem>
-#include <string>
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "shelfbeam/base/file.hpp"
 
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::TempFolder;
 
 class FoundFileTest : public testing::Test {
  protected:
@@ -88,4 +84,4 @@ TEST_F(FoundFileTest, StaysTheSameWhenItsNameMoves) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,12 +1,10 @@
 #include "shelfbeam/material/optics/fresnel.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/math/warp.hpp"
 
-namespace shelfbeam {
+#include "support/testing.hpp"
+
+namespace shelfbeam::test {
 namespace {
 
 // Rounding of a few operations on numbers of order one.
@@ -85,4 +83,4 @@ TEST(Fresnel, OfAConductorWithoutAbsorptionIsThatOfADielectric) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,23 +1,13 @@
 #include "shelfbeam/material/optics/microfacets.hpp"
 
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
-#include <gtest/gtest.h>
-
+#include "support/testing.hpp"
 #include "unit/material/cases.hpp"
 #include "unit/material/sphere_cells.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::all_facets;
-using test::direction_at;
-using test::name_of;
-using test::SphereCells;
-
-const std::vector<test::Roughness> roughnesses{{0.05, 0.05}, {0.3, 0.3}, {1, 1}, {0.1, 0.4}};
+const std::vector<Roughness> roughnesses{{0.05, 0.05}, {0.3, 0.3}, {1, 1}, {0.1, 0.4}};
 
 // Quadrature to 1e-4. The control omits the cosine.
 TEST(Microfacets, CoverTheSurface) {
@@ -47,7 +37,7 @@ TEST(Microfacets, ShowTheProjectedAreaOfTheSurface) {
       const double error = m.masking == Masking::smith_rational ? 0.0035 * w.z : 1e-4;
       EXPECT_NEAR(seen(m), w.z, error);
       if (angle >= 80 && m.alpha_y >= 0.3) {
-        EXPECT_GT(std::abs(seen(test::scaled(m, 1.3)) - w.z), error);
+        EXPECT_GT(std::abs(seen(scaled(m, 1.3)) - w.z), error);
       }
     }
   }
@@ -130,4 +120,4 @@ TEST(Microfacets, RefuseInvalidParameters) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

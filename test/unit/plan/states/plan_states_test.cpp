@@ -58,7 +58,7 @@ TEST(PlanStates, NamesTheLabelsThatPreventAPlan) {
 }
 
 // With one cause, alone and all together are the same: the same states, by the same draws.
-TEST(PlanStates, NamesTheChangesThatTakeLabels) {
+TEST(PlanStatesSlow, NamesTheChangesThatTakeLabels) {
   const KnownStates shop({{{0, 0}, {0.15, 0.15}, {0, 0}}});
   const PlanOverStates plan = shop.plan(1, {.sample = 40, .certifies = false});
   const Availability& found = plan.availability;
@@ -78,7 +78,7 @@ TEST(PlanStates, NamesTheChangesThatTakeLabels) {
 }
 
 // The row of a cause is the plan for a shop from which all other causes are left out.
-TEST(PlanStates, RowsAreThePlansWithoutTheOtherChanges) {
+TEST(PlanStatesSlow, RowsAreThePlansWithoutTheOtherChanges) {
   const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0.06, 0}}};
   const StatesOptions options{.sample = 20, .certifies = false};
   const Availability both = KnownStates(pallets, R"("unit_power_db": 0.1,)").plan(1, options).availability;
@@ -170,7 +170,7 @@ TEST(PlanStatesSlow, CertifiesTheTruthAndContinuesToTheSameResult) {
 // s^2, and decibels with the standard deviation d have that of a lognormal factor, sigma = d ln 10 / 10. From
 // 60 states each, the variances have relative errors of 19 and 18 %; 4 of these are allowed, so a correct
 // program fails with a probability below 1e-3. The control exchanges two causes.
-TEST(RiskCauses, SharesAreThoseOfClosedForms) {
+TEST(RiskCausesSlow, SharesAreThoseOfClosedForms) {
   const KnownStates shop({{{0.2, 0}, {0, 0}, {0, 0}}}, R"("unit_power_db": 1, "label_sensitivity_db": 0.3,)");
   const SimulationOptions options = KnownStates::simulation(3);
   const Scene scene = make_scene(shop.store());
@@ -264,7 +264,7 @@ std::vector<std::uint64_t> numbers_of(const Availability& found) {
 }
 
 // Fresh states that may have suggested a change must not confirm it.
-TEST(VerifyStates, TakesOtherStatesForAnotherQuestion) {
+TEST(VerifyStatesSlow, TakesOtherStatesForAnotherQuestion) {
   const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0, 0.2}}};
   const std::vector<LabelId> every{0, 1, 2};
   const Selection left{0, 2, 4};

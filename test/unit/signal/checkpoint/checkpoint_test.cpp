@@ -1,21 +1,12 @@
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/file.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/checkpoint/identity.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::identity;
-using test::TempFolder;
 
 struct Items {
   std::vector<std::uint32_t> batches;
@@ -50,7 +41,7 @@ class Checkpoint : public testing::Test {
     return Items::load(file, count);
   }
   std::string error() const {
-    return test::input_error([&] { loaded(); });
+    return input_error([&] { loaded(); });
   }
   TempFolder folder;
   std::filesystem::path path = folder / "signal.h5.checkpoint";
@@ -181,4 +172,4 @@ TEST_F(Checkpoint, ANewRunReplacesAnOldOneOnly) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

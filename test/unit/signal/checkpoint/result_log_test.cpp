@@ -1,22 +1,13 @@
 #include "shelfbeam/signal/checkpoint/result_log.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/checkpoint/identity.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::identity;
-
 TEST(ResultLog, KeepsResultsForTheNextRun) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const auto path = folder / "results";
   {
     ResultLog log(path, identity, false, 0);
@@ -37,7 +28,7 @@ TEST(ResultLog, KeepsResultsForTheNextRun) {
 }
 
 TEST(ResultLog, DropsATruncatedRecord) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const auto path = folder / "results";
   {
     ResultLog log(path, identity, false, 0);
@@ -51,23 +42,22 @@ TEST(ResultLog, DropsATruncatedRecord) {
 }
 
 TEST(ResultLog, RefusesOtherRunsAndOtherFiles) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const auto path = folder / "results";
   {
     ResultLog(path, identity, false, 0).add(7, "seven");
   }
-  test::expect_input_error([&] { ResultLog(path, {{"store hash", "abc"}, {"seed", "2"}}, true, 0); },
-                           std::string_view("its seed is '1' instead of '2'"));
+  expect_input_error([&] { ResultLog(path, {{"store hash", "abc"}, {"seed", "2"}}, true, 0); },
+                     std::string_view("its seed is '1' instead of '2'"));
   {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(-2, std::ios::end);
     file.put('x');
   }
-  test::expect_input_error([&] { ResultLog(path, identity, true, 0); },
-                           std::string_view("is corrupt at byte"));
+  expect_input_error([&] { ResultLog(path, identity, true, 0); }, std::string_view("is corrupt at byte"));
   folder.write("letter", "Dear Sir");
-  test::expect_input_error([&] { ResultLog(folder / "letter", identity, false, 0); },
-                           std::string_view("is not a checkpoint"));
+  expect_input_error([&] { ResultLog(folder / "letter", identity, false, 0); },
+                     std::string_view("is not a checkpoint"));
 }
 
 TEST(ResultLog, KeepsNothingWithoutAPath) {
@@ -78,4 +68,4 @@ TEST(ResultLog, KeepsNothingWithoutAPath) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,21 +1,16 @@
 #include "shelfbeam/signal/constraints/conflicts.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
 using Pairs = std::vector<std::pair<ColumnId, ColumnId>>;
 
 TEST(Conflicts, KeepsADistance) {
   // Units in a row, 1 m apart; unit 2 is installed.
-  SignalTable table = make_signal_table(test::small_matrix());
+  SignalTable table = make_signal_table(small_matrix());
   add_conflicts(table, 1, "matrix");
   EXPECT_EQ(table.conflicts, Pairs{}) << "exactly the distance is enough";
   add_conflicts(table, 1.5, "matrix");
@@ -26,7 +21,7 @@ TEST(Conflicts, KeepsADistance) {
 }
 
 TEST(Conflicts, IgnoresOptionsOfAPointAndInstalledUnits) {
-  SignalMatrix matrix = test::small_matrix();
+  SignalMatrix matrix = small_matrix();
   matrix.transceivers[1].position = matrix.transceivers[0].position;
   matrix.transceivers[3].installed = true;
   SignalTable table = make_signal_table(matrix);
@@ -43,7 +38,7 @@ TEST(Conflicts, FindsEveryPair) {
   };
   int found = 0;
   for (int k = 0; k < 200; ++k) {
-    SignalMatrix matrix = test::small_matrix(1, 12);
+    SignalMatrix matrix = small_matrix(1, 12);
     for (TransceiverColumn& unit : matrix.transceivers)
       unit.position = {4 * random(), 4 * random(), random()};
     const double metres = 6 * random();
@@ -63,14 +58,14 @@ TEST(Conflicts, FindsEveryPair) {
 }
 
 TEST(Conflicts, RequiresPositions) {
-  SignalTable table = make_signal_table(test::small_matrix());
+  SignalTable table = make_signal_table(small_matrix());
   table.transceivers[1].position.reset();
-  test::expect_input_error([&] { add_conflicts(table, 1, "matrix.csv"); }, "matrix.csv", "'G1-1-0'");
+  expect_input_error([&] { add_conflicts(table, 1, "matrix.csv"); }, "matrix.csv", "'G1-1-0'");
 }
 
 TEST(Conflicts, ReadsPairs) {
-  const test::TempFolder folder;
-  SignalTable table = make_signal_table(test::small_matrix());
+  const TempFolder folder;
+  SignalTable table = make_signal_table(small_matrix());
   forbid_pairs(table, folder.write("p.csv", "a,b\nG1-3-0,G1-1-0\nG1-0-0,G1-2-0\nG1-1-0,G1-3-0\n"));
   EXPECT_EQ(table.conflicts, (Pairs{{0, 2}, {1, 3}}));
   forbid_pairs(table, folder.write("p.csv", "a,b\n"));
@@ -78,11 +73,11 @@ TEST(Conflicts, ReadsPairs) {
 }
 
 TEST(Conflicts, RefusesBrokenFilesWithPosition) {
-  SignalMatrix matrix = test::small_matrix();
+  SignalMatrix matrix = small_matrix();
   matrix.transceivers[4].installed = true;
   SignalTable table = make_signal_table(matrix);
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
-    test::expect_file_refused([&](const auto& path) { forbid_pairs(table, path); }, content, place, problem);
+    expect_file_refused([&](const auto& path) { forbid_pairs(table, path); }, content, place, problem);
   };
   refused("", "empty", "'a,b'");
   refused("b,a\n", "line 1", "'a,b'");
@@ -90,8 +85,8 @@ TEST(Conflicts, RefusesBrokenFilesWithPosition) {
   refused("a,b\nG1-0-0,G1-1-0\nG1-0-0,G1-1-1\n", "line 3", "'G1-1-1'");
   refused("a,b\nG1-0-0,\n", "line 2", "");
   refused("a,b\nG1-2-0,G1-4-0\n", "line 2", "installed");
-  test::expect_input_error([&] { forbid_pairs(table, "none.csv"); }, "none.csv");
+  expect_input_error([&] { forbid_pairs(table, "none.csv"); }, "none.csv");
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

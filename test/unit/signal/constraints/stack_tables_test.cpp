@@ -1,16 +1,10 @@
 #include "shelfbeam/signal/constraints/stack_tables.hpp"
 
-#include <algorithm>
-
-#include <gtest/gtest.h>
-
-#include "support/expect_input_error.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
 
 NamedTable scenario(const std::string& name, const SignalMatrix& matrix) {
   return {name, name + ".h5", make_signal_table(matrix)};
@@ -27,18 +21,17 @@ SignalMatrix reversed(SignalMatrix matrix) {
 }
 
 TEST(StackTables, KeepsASingleTableUnchanged) {
-  const SignalTable table = stack_tables({scenario("open", test::small_matrix())});
+  const SignalTable table = stack_tables({scenario("open", small_matrix())});
   EXPECT_EQ(table.labels[0].id, "A1-front-0");
   EXPECT_TRUE(table.scenarios.empty());
 }
 
 TEST(StackTables, AppendsRows) {
-  SignalMatrix few = test::small_matrix(3);
+  SignalMatrix few = small_matrix(3);
   for (float& value : few.mean) value *= 0.5F;
-  const SignalTable first = make_signal_table(test::small_matrix());
+  const SignalTable first = make_signal_table(small_matrix());
   const SignalTable second = make_signal_table(few);
-  const SignalTable table =
-      stack_tables({scenario("open", test::small_matrix()), scenario("shut", reversed(few))});
+  const SignalTable table = stack_tables({scenario("open", small_matrix()), scenario("shut", reversed(few))});
   ASSERT_EQ(table.rows(), 10U);
   ASSERT_EQ(table.columns(), 5U);
   EXPECT_EQ(table.labels[2].id, "open:A1-front-2");
@@ -60,7 +53,7 @@ TEST(StackTables, AppendsRows) {
 }
 
 TEST(StackTables, KeepsPositionsKnownToOneFile) {
-  SignalMatrix matrix = test::small_matrix();
+  SignalMatrix matrix = small_matrix();
   matrix.transceivers[3].position = matrix.transceivers[0].position;
   NamedTable blind = scenario("blind", matrix);
   blind.table.mounts.clear();
@@ -71,7 +64,7 @@ TEST(StackTables, KeepsPositionsKnownToOneFile) {
 }
 
 TEST(StackTables, RefusesInconsistentTables) {
-  const SignalMatrix matrix = test::small_matrix();
+  const SignalMatrix matrix = small_matrix();
   const auto refused = [&](const SignalMatrix& other, std::string_view problem) {
     const auto stack = [&] { stack_tables({scenario("open", matrix), scenario("shut", other)}); };
     expect_input_error(stack, "shut.h5", "open.h5", problem);
@@ -79,7 +72,7 @@ TEST(StackTables, RefusesInconsistentTables) {
   SignalMatrix other = matrix;
   other.transceivers[2].id = "new";
   refused(other, "'new'");
-  refused(test::small_matrix(7, 4), "'G1-4-0'");
+  refused(small_matrix(7, 4), "'G1-4-0'");
   other = matrix;
   other.transceivers[1].cost = 7;
   refused(other, "'G1-1-0' costs 7");
@@ -94,4 +87,4 @@ TEST(StackTables, RefusesInconsistentTables) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,28 +1,15 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::small_matrix;
-using test::TempFolder;
 
 TEST(SignalFile, KeepsEverythingBitForBit) {
   const TempFolder folder;
@@ -83,7 +70,7 @@ TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
   EXPECT_FALSE(read.by_bounce[0] == read.by_bounce[1]);
   written.length_step = -1;
   write_signal_file(written, folder / "signal.h5");
-  test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", "length_step");
+  expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", "length_step");
 }
 
 TEST(SignalFile, KeepsTheStatesOfAShop) {
@@ -97,7 +84,7 @@ TEST(SignalFile, KeepsTheStatesOfAShop) {
   const auto expect_refused = [&](std::vector<LabelId> hard, std::string_view place) {
     written.states->hard = std::move(hard);
     write_signal_file(written, folder / "signal.h5");
-    test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", place);
+    expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", place);
   };
   expect_refused({1, 4}, "/states/hard");
   expect_refused({3, 1}, "/states/hard");
@@ -133,7 +120,7 @@ TEST(SignalFile, EveryChangedByteIsFound) {
   for (std::size_t k = 0; k < whole.size(); k += k < 128 ? 1 : 31) {
     std::string damaged = whole;
     damaged[k] = static_cast<char>(damaged[k] ^ (1 << k % 8));
-    test::expect_file_refused(read_signal_file, damaged, k < title ? "not an HDF5 file" : "checksum");
+    expect_file_refused(read_signal_file, damaged, k < title ? "not an HDF5 file" : "checksum");
   }
 }
 
@@ -144,8 +131,8 @@ TEST(SignalFile, EveryTruncationIsRefused) {
   constexpr std::size_t cuts = 64;
   for (std::size_t k = 0; k < cuts; ++k) {
     const std::string cut = whole.substr(0, whole.size() * k / cuts);
-    test::expect_file_refused(read_signal_file, cut);
-    test::expect_file_refused(read_signal_table, cut);
+    expect_file_refused(read_signal_file, cut);
+    expect_file_refused(read_signal_table, cut);
   }
   for (const std::string& other : {whole.substr(0, whole.size() - 1), whole + '\0'})
     expect_input_error([&] { read_signal_file(folder.write("cut.h5", other)); }, "cut.h5", "checksum");
@@ -307,4 +294,4 @@ TEST(SignalFile, FailedWritesLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,19 +1,12 @@
 #include "shelfbeam/signal/measured/measurements.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/measured/comparison.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::TempFolder;
 
 TEST(Measurements, OfPairs) {
   const TempFolder folder;
@@ -22,7 +15,7 @@ TEST(Measurements, OfPairs) {
                                      "signal,label,error,transceiver\r\n"
                                      "1.5,\"shelf \"\"A\"\", left\",0.5,G1-3-0\r\n\r\n"
                                      "-2e-3, A1-front-2 ,1e-3,G1-0-0\r\n0,A1-front-2,1e-3,G1-1-0"),
-                        test::small_matrix());
+                        small_matrix());
   EXPECT_TRUE(read.of_pairs);
   EXPECT_TRUE(read.has_errors);
   ASSERT_EQ(read.values.size(), 3u);
@@ -39,14 +32,14 @@ TEST(Measurements, FromEuropeanSpreadsheets) {
   const Measurements read = read_measurements(
       folder.write("m.csv",
                    "\xEF\xBB\xBFsep=;\r\nlabel;transceiver;signal\r\nA1-front-2;G1-0-0;-0,002\r\n;;\r\n"),
-      test::small_matrix());
+      small_matrix());
   ASSERT_EQ(read.values.size(), 1u);
   EXPECT_EQ(read.values[0].signal, -2e-3);
 }
 
 TEST(Measurements, OfSeveralUnits) {
   const TempFolder folder;
-  SignalMatrix matrix = test::small_matrix();
+  SignalMatrix matrix = small_matrix();
   matrix.labels[2].batches = 0;
   const Measurements read = read_measurements(folder.write("m.csv", "label,signal\nA1-front-2,7\n"), matrix);
   EXPECT_FALSE(read.of_pairs);
@@ -68,9 +61,9 @@ TEST(Measurements, OfSeveralUnits) {
 }
 
 TEST(Measurements, BrokenFilesAreRefusedWithPosition) {
-  const auto read = [](const auto& path) { read_measurements(path, test::small_matrix()); };
+  const auto read = [](const auto& path) { read_measurements(path, small_matrix()); };
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
-    test::expect_file_refused(read, content, place, problem);
+    expect_file_refused(read, content, place, problem);
   };
   refused("", "", "empty");
   refused("label,signal\n", "", "header");
@@ -87,4 +80,4 @@ TEST(Measurements, BrokenFilesAreRefusedWithPosition) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,28 +1,17 @@
 #include "shelfbeam/signal/parts/merge_parts.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <numeric>
-#include <utility>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/parts/state_summary.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::expect_input_error;
 using Paths = std::vector<std::filesystem::path>;
 
 // A matrix and its files: whole, and in parts of every third label.
@@ -31,7 +20,7 @@ class MergeParts : public testing::Test {
   static constexpr std::uint32_t count = 3;
 
   static SignalMatrix whole() {
-    SignalMatrix matrix = test::small_matrix();
+    SignalMatrix matrix = small_matrix();
     for (LabelRow& label : matrix.labels) label.samples = 2096;
     matrix.by_bounce = {{matrix.direct, matrix.standard_error}, {matrix.mean, matrix.standard_error}};
     matrix.by_length = {{matrix.mean, matrix.standard_error}};
@@ -78,7 +67,7 @@ class MergeParts : public testing::Test {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "merged.h5"));
   }
 
-  test::TempFolder folder_;
+  TempFolder folder_;
   int files_ = 0;
 };
 
@@ -132,7 +121,7 @@ TEST_F(MergeParts, RefusesPartsOfOtherSimulations) {
 
 // The states of a shop, in parts of consecutive states.
 TEST(MergeStates, GivesTheBytesOfOneRun) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   constexpr std::uint32_t states = 5, parts = 2, max_hard = 3;
   const auto signals = [](const SignalMatrix& matrix, std::uint32_t state) {
     std::vector<float> values = matrix.mean;
@@ -141,7 +130,7 @@ TEST(MergeStates, GivesTheBytesOfOneRun) {
   };
   // Some states [first, last), as `simulate_states` summarises them.
   const auto summary = [&](std::uint32_t first, std::uint32_t last, std::size_t hard) {
-    SignalMatrix matrix = test::small_matrix();
+    SignalMatrix matrix = small_matrix();
     const SignalMatrix base = matrix;
     matrix.flags.clear();
     detail::StateSummary states_of(std::move(matrix), hard);
@@ -165,4 +154,4 @@ TEST(MergeStates, GivesTheBytesOfOneRun) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

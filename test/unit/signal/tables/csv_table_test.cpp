@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/tables/table_reading.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::TempFolder;
 
 SignalTable read(std::string_view content) {
   const TempFolder folder;
@@ -91,7 +85,7 @@ TEST(CsvTable, RowsOfWholeNumbersMayBeIds) {
         "17;4;99\n0,5;0,25;0\n0;0,125;3\n", "1\n0.5\n0.25\n", "0,1,2,3\n1,0,0,1\n0,1,1,0\n",
         "0,11,12,13\n1,0,0,1\n2,1,1,0\n", "1\t2\t3\t4\n0\t1\t1\t0\n", "\"1\",\"2\"\n0.5,0.25\n",
         "0.0,1.0,2.0\n0.5,0.25,0\n", "4.00638E+12,4.00639E+12\n0.5,0.25\n", "0,1,2,\n0.5,0.25,0,\n"})
-    test::expect_file_refused(read_signal_table, text, "", "may be ids or signals");
+    expect_file_refused(read_signal_table, text, "", "may be ids or signals");
   // Negative controls: signals that only one reading fits.
   for (const std::string_view text :
        {"0,1\n1,0\n1,1\n", "0,0,1\n0.5,0.25,0\n", "1,0.5\n2,0.25\n", "3,1,2\n1,1,0\n", "0,1,2\n", "1\n2\n3\n",
@@ -101,8 +95,7 @@ TEST(CsvTable, RowsOfWholeNumbersMayBeIds) {
 
 TEST(CsvTable, ColumnsOfWholeNumbersMayBeIds) {
   const std::string_view text = "1,0.5,0.25\n2,0,0.125\n3,0.5,0\n";
-  test::expect_file_refused(read_signal_table, text, "", "first column, which may be ids or signals",
-                            "'labels'");
+  expect_file_refused(read_signal_table, text, "", "first column, which may be ids or signals", "'labels'");
   const SignalTable labels = read_as(text, TableReading::labels);
   EXPECT_EQ(labels.columns(), 2U);
   EXPECT_EQ(labels.labels[2].id, "3");
@@ -110,7 +103,7 @@ TEST(CsvTable, ColumnsOfWholeNumbersMayBeIds) {
   EXPECT_EQ(read_as(text, TableReading::signals).columns(), 3U);
   for (const std::string_view other :
        {"4006381333931,0.5\n4006381333948,0.25\n", "102,5\n101,3\n", "4,00639E+12;0,5\n4,00638E+12;0\n"})
-    test::expect_file_refused(read_signal_table, other, "", "first column, which may be ids or signals");
+    expect_file_refused(read_signal_table, other, "", "first column, which may be ids or signals");
   for (const std::string_view other :
        {"102,5\n101,11\n", "102,5\n102,3\n", "102,5\n", "1,0.5\n2,0.25\n", "1,0.5\n3,0.25\n2,0\n",
         "1\n2\n3\n", "1,1\n2,0\n3,1\n", "0.5,1\n1.5,2\n2.5,3\n"})
@@ -120,10 +113,9 @@ TEST(CsvTable, ColumnsOfWholeNumbersMayBeIds) {
 TEST(CsvTable, ColumnsOfNumbersMayBeSignals) {
   for (const std::string_view text : {"T1,T2,T3\n0.5,0.25,0\n0,0.125,0.75\n", "T1;T2\n0,5;0,25\n1;0,125\n",
                                       "T1,T2\n1,0\n0,1\n", "T1,T2\n3,0\n4,5\n"})
-    test::expect_file_refused(read_signal_table, text, "", "first column 'T1', which may be ids or signals");
+    expect_file_refused(read_signal_table, text, "", "first column 'T1', which may be ids or signals");
   for (const std::string_view title : {"T09,T10", "unit a,unit b", "T9,T10"})
-    test::expect_file_refused(read_signal_table, fmt::format("{}\n3,0\n4,5\n", title), "",
-                              "may be ids or signals");
+    expect_file_refused(read_signal_table, fmt::format("{}\n3,0\n4,5\n", title), "", "may be ids or signals");
   for (const std::string_view text :
        {"T1,T\n3,0\n4,5\n", "T2,U3\n3,0\n4,5\n", "a,c\n3,0\n4,5\n", "row,T1\n0,1\n1,0\n",
         "label,T1\n0.5,0.25\n", ",T1\n1.1,1\n1.2,1\n", "id,T1\n0,1\n1,0\n", "EAN,T1\n4006381333931,1\n",
@@ -141,9 +133,9 @@ TEST(CsvTable, EmptyColumnsAtTheEndAreIgnored) {
     EXPECT_EQ(table.row(0)[0].signal, 0.5);
   }
   EXPECT_EQ(read("0.5,0,\n1,0.25,\n").columns(), 2U);
-  test::expect_file_refused(read_signal_table, "T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
-  test::expect_file_refused(read_signal_table, "label,T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
-  test::expect_file_refused(read_signal_table, "0.5,0,\n1,0.25,2\n", "line 2", "3 fields; 2 are expected");
+  expect_file_refused(read_signal_table, "T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
+  expect_file_refused(read_signal_table, "label,T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
+  expect_file_refused(read_signal_table, "0.5,0,\n1,0.25,2\n", "line 2", "3 fields; 2 are expected");
 }
 
 // Two or three numbers between tabs also begin OR-Library files and sparse text.
@@ -152,13 +144,13 @@ TEST(CsvTable, NumbersBetweenTabsMayBeAnotherFormat) {
   EXPECT_EQ(read("2\t3\n4\t1\n").columns(), 2U);
   EXPECT_EQ(read("2\t3\t0.5\n2\t0\t0.7\t2\t0.2\n0\n").columns(), 3U) << "sparse text";
   const std::string_view three = "2\t2\t1\n1\t0\t5\n1\t1\t7\n", two = "2\t2\n1\t1\n1\t1\n1\t2\n";
-  test::expect_file_refused(read_signal_table, three, "", "CSV or sparse text", "'signals' or 'sparse'");
-  test::expect_file_refused(read_signal_table, two, "", "CSV or an OR-Library file");
+  expect_file_refused(read_signal_table, three, "", "CSV or sparse text", "'signals' or 'sparse'");
+  expect_file_refused(read_signal_table, two, "", "CSV or an OR-Library file");
   EXPECT_EQ(read_as(three, TableReading::signals).rows(), 3U);
   EXPECT_EQ(read_as(three, TableReading::sparse).rows(), 2U);
   EXPECT_EQ(read_as(two, TableReading::scp).rows(), 2U);
-  test::expect_file_refused(read_signal_table, "2\t2\t0.5\n1\t0\tx\n0\n", "line 2, character 5", "'x'");
-  test::expect_file_refused(read_signal_table, "0.5\t0.25\n0.5\tx\n", "line 2, field 2", "'x'");
+  expect_file_refused(read_signal_table, "2\t2\t0.5\n1\t0\tx\n0\n", "line 2, character 5", "'x'");
+  expect_file_refused(read_signal_table, "0.5\t0.25\n0.5\tx\n", "line 2, field 2", "'x'");
 }
 
 TEST(CsvTable, TheReadingIsChosen) {
@@ -179,7 +171,7 @@ TEST(CsvTable, TheReadingIsChosen) {
   EXPECT_EQ(read_as("1\t2\n0.5\t0.25\n", TableReading::header).columns(), 2U) << "alone, it is refused";
   EXPECT_EQ(read_as("1,2\n7,0.5,0.25\n", TableReading::ids).labels[0].id, "7");
   const auto refused = [&](std::string_view content, TableReading reading) {
-    test::expect_input_error([&] { read_as(content, reading); }, "matrix.csv");
+    expect_input_error([&] { read_as(content, reading); }, "matrix.csv");
   };
   refused("T1,T2\n0.5,0.25\n", TableReading::signals);
   refused(text, TableReading::scp);
@@ -226,9 +218,8 @@ TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
       {"id;T1;T2\nL1;0,5;0.25\n", "line 2, field 3", "'0,5'"},
       {"# from a spreadsheet, 2024\n1,2,3\n", "line 1", "comment"},
   };
-  for (const auto& [text, place, problem] : all)
-    test::expect_file_refused(read_signal_table, text, place, problem);
+  for (const auto& [text, place, problem] : all) expect_file_refused(read_signal_table, text, place, problem);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

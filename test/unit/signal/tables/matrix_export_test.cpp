@@ -1,25 +1,16 @@
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
-#include <cmath>
 #include <cstring>
-#include <stdexcept>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::small_matrix;
-using test::TempFolder;
 
 // The table's signals as 32-bit floats, zeros included.
 std::vector<float> dense(const SignalTable& table) {
@@ -116,10 +107,9 @@ TEST(MatrixExport, RefusesValuesOfAnotherSizeAndLeavesNothing) {
   const auto values = std::span(matrix.mean).first(3);
   EXPECT_THROW(write_matrix_csv(matrix, values, folder / "m.csv"), std::invalid_argument);
   EXPECT_THROW(write_matrix_npy(matrix, values, folder / "m.npy"), std::invalid_argument);
-  test::expect_input_error([&] { write_matrix_csv(matrix, matrix.mean, folder / "none/m.csv"); },
-                           "none/m.csv");
+  expect_input_error([&] { write_matrix_csv(matrix, matrix.mean, folder / "none/m.csv"); }, "none/m.csv");
   EXPECT_EQ(folder.count(), 0);
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

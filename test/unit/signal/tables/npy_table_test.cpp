@@ -1,20 +1,9 @@
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::TempFolder;
 
 template <class T>
 std::string bytes(const std::vector<T>& values) {
@@ -108,7 +97,7 @@ TEST(NpyTable, BrokenFilesAreRefused) {
   refused(std::string("\x93NUMPY\x01\0\xff\xff", 10), ": header: ");
   const std::string whole = npy(header("<f4", "False", "(2, 3)"), bytes(data));
   for (std::size_t length = 0; length < whole.size(); ++length)
-    test::input_error([&] { read(whole.substr(0, length)); });
+    input_error([&] { read(whole.substr(0, length)); });
 }
 
 TEST(NpyTable, BadEntriesAreNamed) {
@@ -124,4 +113,4 @@ TEST(NpyTable, BadEntriesAreNamed) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

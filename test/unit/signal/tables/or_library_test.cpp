@@ -1,20 +1,9 @@
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/tables/table_reading.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::TempFolder;
 
 using Rows = std::vector<std::set<std::uint32_t>>;
 
@@ -54,15 +43,14 @@ TEST(OrLibrary, ReadsTheTriangle) {
 TEST(OrLibrary, FilesThatFitBothFormsAreRefused) {
   const TempFolder folder;
   const auto both = folder.write("both.txt", "2 3\n5 1 1\n2 1 2\n2 1 2\n");
-  test::expect_input_error([&] { read_signal_table(both); }, "both.txt: fits both forms", "'scp' or 'rail'");
+  expect_input_error([&] { read_signal_table(both); }, "both.txt: fits both forms", "'scp' or 'rail'");
   EXPECT_EQ(rows_of(read_table(both, TableReading::scp).table), (Rows{{0, 1}, {0, 1}}));
   EXPECT_EQ(rows_of(read_table(both, TableReading::rail).table), (Rows{{0}, {1, 2}}));
   // Both forms mean the same matrix.
   const auto same = folder.write("same.txt", "1 1\n1 1 1\n");
   EXPECT_EQ(rows_of(read_signal_table(same)), (Rows{{0}}));
   // The other form is not tried if one is chosen.
-  test::expect_input_error([&] { read_table(folder.write("r", "1 2\n1 0\n1 1 1\n"), TableReading::scp); },
-                           "line");
+  expect_input_error([&] { read_table(folder.write("r", "1 2\n1 0\n1 1 1\n"), TableReading::scp); }, "line");
 }
 
 TEST(OrLibrary, ReadsRail) {
@@ -106,7 +94,7 @@ TEST(OrLibrary, BothFormsOfRandomInstancesAgree) {
 
 TEST(OrLibrary, BrokenFilesAreRefusedWithPosition) {
   const auto refused = [](std::string_view content, std::string_view place, std::string_view problem) {
-    test::expect_file_refused(read_signal_table, content, place, problem);
+    expect_file_refused(read_signal_table, content, place, problem);
   };
   refused("2 4\n1 1 1 1\n2 1 2\n2 1\n", "line 5", "a column number");
   refused("2 4\n1 1 1 1\n2 1 0\n1 1\n", "line 3", "column number is 0");
@@ -126,4 +114,4 @@ TEST(OrLibrary, BrokenFilesAreRefusedWithPosition) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

@@ -1,27 +1,16 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include <string>
-#include <string_view>
-
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/constraints/stack_tables.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
-#include "support/expect_input_error.hpp"
 #include "support/line_ends.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 #include "unit/signal/small_matrix.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
 
-using test::expect_file_refused;
-using test::expect_input_error;
-using test::small_matrix;
-using test::TempFolder;
-using test::with_line_ends;
 using Mounts = std::vector<std::vector<ColumnId>>;
 
 // Columns 0, 3 and 4 are at one point within rounding.
@@ -170,4 +159,4 @@ TEST(Requirement, IsSetOnEveryLabel) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test

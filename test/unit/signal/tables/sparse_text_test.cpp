@@ -1,15 +1,9 @@
-#include <gtest/gtest.h>
-
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
+#include "support/testing.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::test {
 namespace {
-
-using test::expect_input_error;
-using test::TempFolder;
 
 TEST(SparseText, ReadsRowsRequirementsAndOrdersColumns) {
   const TempFolder folder;
@@ -56,14 +50,13 @@ TEST(SparseText, BrokenFilesAreRefusedWithPosition) {
       {"4000000000 2 0.5\n0\n", "line 1", "m is 4000000000"},
       {"1 99999999999999999999 0.5\n0\n", "line 1", "n is 99999999999999999999"},
   };
-  for (const auto& [text, place, problem] : all)
-    test::expect_file_refused(read_signal_table, text, place, problem);
+  for (const auto& [text, place, problem] : all) expect_file_refused(read_signal_table, text, place, problem);
 }
 
 TEST(AnyText, OtherContentIsRefused) {
   const TempFolder folder;
   const auto refused = [](std::string_view content, std::string_view problem) {
-    test::expect_file_refused(read_signal_table, content, problem);
+    expect_file_refused(read_signal_table, content, problem);
   };
   refused("", "empty");
   refused(" \n\r\n\t", "empty");
@@ -77,4 +70,4 @@ TEST(AnyText, OtherContentIsRefused) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::test
