@@ -88,6 +88,7 @@ inline std::vector<std::array<std::uint32_t, 2>> open_edges(const TriangleMesh& 
     }
   std::erase_if(count, [](const auto& edge) { return edge.second % 2 == 0; });
   std::vector<std::array<std::uint32_t, 2>> edges;
+  edges.reserve(count.size());
   for (const auto& [edge, times] : count) edges.push_back(edge);
   return edges;
 }

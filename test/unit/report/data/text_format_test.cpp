@@ -118,8 +118,9 @@ TEST(CadText, KeepsTextsDifferent) {
   for (const std::string& a : parts)
     for (const std::string& b : parts)
       for (const std::string& c : parts) {
-        texts.insert(a + b + c);
-        written.insert(cad_text(a + b + c));
+        const std::string text = fmt::format("{}{}{}", a, b, c);
+        texts.insert(text);
+        written.insert(cad_text(text));
       }
   EXPECT_EQ(written.size(), texts.size());
 }

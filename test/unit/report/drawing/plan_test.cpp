@@ -15,7 +15,7 @@ namespace shelfbeam::test {
 namespace {
 
 Markup plan_of(const Store& store) {
-  const Markup plan = read_markup(floor_plan_svg(make_scene(store)));
+  Markup plan = read_markup(floor_plan_svg(make_scene(store)));
   EXPECT_EQ(plan.problem, "");
   return plan;
 }

@@ -172,7 +172,7 @@ TEST(ShopPlace, EndsAtAWall) {
 TEST(ShopPlace, IsFoundAsFastWithManyFixturesElsewhere) {
   Store store = empty_store("Bins", {200, 100, 4});
   for (int k = 0; k < 20'000; ++k) {
-    const double x = k % 200 + 0.2, y = k / 200 + 0.2;
+    const double x = k % 200 + 0.2, y = std::floor(k / 200.0) + 0.2;
     add(store, Box{fmt::format("B{}", k), {x, y, 0}, {x + 0.4, y + 0.4, 1}, {}});
   }
   add_devices(store, {1.8, 1.8, 1}, {15, 8, 3.9});
