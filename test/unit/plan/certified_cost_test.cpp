@@ -159,7 +159,7 @@ TEST(BoundGoal, BudgetsAllowForRounding) {
 
 // Free units are part of every selection of the budget, and no other selection enters it.
 TEST(BoundGoal, FreeUnitsExcludeNothing) {
-  const BoundGoal goal = goal_of({0, 0, 0, 2, 4}, 4);
+  const BoundGoal goal = goal_of({0, 0, 0, 2, 4, 0.5}, 4);
   const SelectionBudget limit = goal.below(4);
   double all_free = 0;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -168,6 +168,7 @@ TEST(BoundGoal, FreeUnitsExcludeNothing) {
   }
   EXPECT_LE(all_free + limit.price[3], limit.budget);
   EXPECT_GT(limit.price[4], limit.budget);
+  EXPECT_EQ(limit.price[5], 0.5);
 }
 
 }  // namespace

@@ -85,6 +85,28 @@ TEST(LightOperator, MeasuresInAnyUnit) {
   }
 }
 
+// A table of the intensities takes another path through the code. It is linear between 90 angles.
+TEST(LightOperator, KnowsTheBeamsOfAllOrders) {
+  test::BareScene bare = room_with_box();
+  for (const double order : {1.0, 4.0}) {
+    const Emission beam = GeneralizedLambertian{order, 3};
+    std::vector<double> angles(91), intensities(91);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      angles[k] = pi / 2 * static_cast<double>(k) / 90;
+      intensities[k] = mean_intensity(beam, angles[k]);
+    }
+    const auto column = [&](const Emission& emission) {
+      bare.scene.transceiver_types[0].emission = emission;
+      const World world(bare.scene);
+      return LightOperator(world, 1, little).column(bare.scene.transceivers[0]).signal;
+    };
+    const auto signal = column(beam),
+               of_table = column(EmissionTable{DirectionTable(angles, {0}, intensities)});
+    for (std::size_t i = 0; i < signal.size(); ++i)
+      EXPECT_NEAR(signal[i], of_table[i], 5e-3F * signal[i]) << order << ' ' << i;
+  }
+}
+
 // A label with the cosine response and a unit that emits like a surface of power pi may change places.
 TEST(LightOperator, IsReciprocal) {
   const auto signal_with = [](const Vec3& label, const Vec3& label_normal, const Vec3& unit,
