@@ -242,7 +242,7 @@ class ProgramTest(unittest.TestCase):
         return end
 
     def interrupted(self, line, part):
-        """The end of a run that is interrupted: a little later each time, until this part is in its output."""
+        """Interrupts runs, each a little later, until this part is in the output; returns the end of that run."""
         for number in itertools.count():
             process = self.start(line)
             process.wait_for_work(number / 20)

@@ -71,7 +71,7 @@ struct Text {
 /// The sentences of terminal and page about a plan.
 std::vector<Text> texts_of(const PlannedStore& store);
 
-/// A line of claims.txt: a text of the catalogue, or of the terminal, and what is true where it stands.
+/// A line of claims.txt: a text of the catalogue or the terminal, and the condition under which it is true.
 struct Claim {
   std::string key;
   std::vector<std::string> places;

@@ -205,7 +205,7 @@ testPlanner("draw: what is typed is exact, and what is no length is refused", {}
   await tab.press("Escape");
 });
 
-/** The grocery in feet, without what has places. */
+/** The grocery in feet, without elements that have places. */
 function inFeet(folder) {
   const file = join(folder, "store.json");
   const { presets: _, ...store } = parse(readFileSync(file, "utf8"));

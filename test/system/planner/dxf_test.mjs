@@ -6,11 +6,10 @@ import { columns, outline } from "../../data/drawn_shop.mjs";
 import { pixelIn, shopDxf } from "../../data/shop_dxf.mjs";
 import { check, equal, says } from "../viewer/check.mjs";
 import { colourAt, drop, pixelAt, shown } from "./floor_plan.mjs";
-import { testPlanner } from "./opened.mjs";
+import { inEmptyShop, testPlanner } from "./opened.mjs";
 import { farthest, linesOf, traceRoom } from "./traced_shop.mjs";
 import { Tracer } from "./tracer.mjs";
 
-const inEmptyShop = { store: null, keeps: true };
 const proposed = (tab) => tab.evaluate(() => document.querySelector('[data-key="unit-choice"]').value);
 
 /** Drops a drawing; the question for its unit is there. */

@@ -3,6 +3,9 @@
 
 import { check, equal, test } from "../viewer/check.mjs";
 
+/** The options of a test that begins without a store file and leaves one. */
+export const inEmptyShop = { store: null, keeps: true };
+
 /**
  * `run` gets the tab, and what makes more tabs and servers. `keeps`: it leaves the store changed. `alone`: it uses what
  * all pages share, such as the clipboard.

@@ -9,11 +9,9 @@ import { fileURLToPath } from "node:url";
 import { pagesOf, pdfOf, pixelOf, shopPdf, streamOf } from "../../data/pdf_files.mjs";
 import { check, equal, says } from "../viewer/check.mjs";
 import { colourAt, drop, pixelAt, shown } from "./floor_plan.mjs";
-import { testPlanner } from "./opened.mjs";
+import { inEmptyShop, testPlanner } from "./opened.mjs";
 import { linesOf, traceRoom, traceScale } from "./traced_shop.mjs";
 import { Tracer } from "./tracer.mjs";
-
-const inEmptyShop = { store: null, keeps: true };
 
 testPlanner("pdf: an L-shaped shop with a slanted wall, by snapping", { ...inEmptyShop, smoke: true }, async (tab) => {
   await drop(tab, "Shop 1:100.pdf", shopPdf());

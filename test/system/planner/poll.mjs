@@ -1,8 +1,8 @@
-// Waits for what happens elsewhere.
+// Waits for other processes.
 
 const patience = 30_000; // ms, on a loaded machine
 
-/** Looks until what it finds is right, and returns that. `why` says what did not happen. */
+/** Calls `look` until its value is right, and returns that value. `why` names the missing event. */
 export async function poll(look, isRight, why, limit = patience) {
   for (const end = Date.now() + limit; ; await new Promise((done) => setTimeout(done, 20))) {
     const found = await look();

@@ -1,4 +1,4 @@
-// Tests what comes from other files.
+// Tests values that come from other files.
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -54,7 +54,7 @@ export class Tab extends Page {
     );
   }
 
-  /** As `reaches`, for what takes a simulation. */
+  /** As `reaches`, for conditions that need a simulation. */
   computes(condition, ...values) {
     return poll(
       () => this.state(condition, ...values),
@@ -216,7 +216,7 @@ export class Tab extends Page {
     await this.settle();
   }
 
-  /** Pushes what has a key. */
+  /** Pushes the element with a key. */
   async use(key) {
     await this.push(`[data-key="${key}"]`);
   }

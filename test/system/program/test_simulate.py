@@ -147,7 +147,7 @@ class Summaries(ShopTest):
         self.assertNotIn("warning", self.simulated(FEW))
 
     def test_entries_that_fall_short_are_named(self):
-        """An error that cannot be reached is no success, but a certificate would quantify it."""
+        """A run that cannot reach the wanted error fails, unless a certificate quantifies the error."""
         self.write("store.json", small_store(fixtures=[]))
         wanted = "--relative-error 1e-5 --max-samples 2620"
         text = self.simulated(wanted, status=3)

@@ -16,7 +16,7 @@ class Streams(ShopTest):
         return run(*command, program="/bin/sh", cwd=self.folder)
 
     def without_reader(self, line, stream):
-        """The end of a run, one of whose streams is a pipe that nobody reads."""
+        """The end of a run with one stream into a pipe without a reader."""
         reader, writer = os.pipe()
         os.close(reader)
         streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, stream: writer}

@@ -64,7 +64,7 @@ class Heard : public ProgressSink {
   void selection(const std::vector<std::string>& ids) override { selected = ids; }
 };
 
-// Events of a run, and what is heard of them.
+// The event lines of a run, and their meaning for a listener.
 struct Told {
   std::vector<std::string> lines;
   EventProgress progress{[this](std::string_view line) { lines.emplace_back(line); }};

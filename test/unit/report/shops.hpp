@@ -131,7 +131,7 @@ inline std::size_t count_of(std::string_view part, std::string_view text) {
   return count;
 }
 
-/// A shop with signals, a plan, and what its report is made from.
+/// A shop with signals, a plan, and the input of its report.
 struct PlannedShop {
   explicit PlannedShop(Store of) : store(std::move(of)) {}
   PlannedShop(const PlannedShop& other)

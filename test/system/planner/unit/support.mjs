@@ -9,7 +9,7 @@ import { unitNamed } from "../../../../src/page/planner/geometry/units";
 
 export { points, rectangle, square } from "../shapes.mjs";
 
-/** How often to try what is random or damaged: `many` times in the slow test, which sets MANY. */
+/** The number of random or damaged inputs to try: `many` in the slow test, which sets MANY. */
 export const times = (few, many) => (process.env.MANY ? many : few);
 /** Of a time: a pause of the collector of garbage does not count. */
 export const leastOfThree = (measure, ...of) => Math.min(measure(...of), measure(...of), measure(...of));

@@ -114,7 +114,7 @@ TEST_F(RequestAttack, WithABodyIsRefused) {
                                        {"Content-Length: -1", "400"},
                                        {"Content-Length: 18446744073709551615", "413"},
                                        {"Content-Length: 99999999999999999999", "400"}})
-    expect_refused(server.request("page.txt", fields + "\r\n") + inner, status);
+    expect_refused(server.request("page.txt", fmt::format("{}\r\n", fields)).append(inner), status);
   expect_refused(server.request("page.txt", "Expect: 100-continue\r\nContent-Length: 5000000\r\n"), "413");
 }
 
