@@ -57,6 +57,9 @@ test("curves have the lengths of their formulas", () => {
   isNear(lengthOf(quarter), Math.PI);
   for (const [x, y] of linesOf(quarter)) isNear(Math.hypot(x, y), 2);
   assert.throws(() => isNear(lengthOf(quarter), 1.001 * Math.PI));
+  // A turned ellipse: the squares of the shares of both radii add up to one.
+  for (const [x, y] of linesOf(drawn(entity("ELLIPSE", 10, 0, 20, 0, 11, 3, 21, 1, 40, 0.5, 41, 0, 42, 3))))
+    isNear(((3 * x + y) / 10) ** 2 + ((3 * y - x) / 5) ** 2, 1);
 });
 
 test("a bulge below 0 is on the right of its edge", () => {

@@ -179,9 +179,9 @@ TEST(ReportHtml, HasTheSectionsOfTheResult) {
            {[&](Kiosk& s) { infeasible(s.placement, {}, {}); }, {"No selection reaches all labels."}},
            {[&](Kiosk& s) {
               infeasible(s.placement, {.model = CommunicationModel::non_cooperative, .redundant = true},
-                         {{3, 1, 0}});
+                         {{3, 1, 0}, {4, 2, 1}});
             },
-            {std::string(no_signal_reason(english(), {.redundant = true}, true)),
+            {std::string(no_signal_reason(english(), {.redundant = true}, true)), "3.0\u00A0dB",
              "The maximum signal is the signal that the label would receive from the best single candidate "
              "that remains if the strongest fails."}}}) {
     Kiosk s;

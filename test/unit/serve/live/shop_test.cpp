@@ -297,6 +297,20 @@ TEST(Shop, LocksNoFixtureBecauseOfTheNameOfItsPreset) {
   EXPECT_TRUE(first["locked"].is_null()) << first;
 }
 
+TEST(Shop, UprightMeasuringPlanesAreAsHighAsTheirTop) {
+  EditedShop shop;
+  shop.store["measuring_planes"] = {{{"id", "P"},
+                                     {"type", "standard"},
+                                     {"origin", {12, 9, 0.5}},
+                                     {"axes", {{1, 0, 0}, {0, 0, 1}}},
+                                     {"size", {1, 2}},
+                                     {"spacing", 1}}};
+  shop.update();
+  const Json plane = shop.part("measuring_planes/0");
+  ASSERT_FALSE(plane.is_null());
+  EXPECT_DOUBLE_EQ(plane["height"].get<double>(), 2.5);
+}
+
 TEST(Shop, OutlinesFixturesByAWallThatIsMissing) {
   EditedShop shop;
   for (const Json& wall : {Json(99), Json(-1), Json("x"), Json(0.5)}) {
