@@ -61,6 +61,16 @@ class Choosing(unittest.TestCase):
             if kind == "layer":
                 self.assertIn(name, self.needs, path)
 
+    @unittest.skipUnless((BUILD / "test/layers.txt").exists(), "needs the build")
+    def test_the_test_that_notices_a_planted_fault_is_chosen(self):
+        slow = {name: layer for _, name, layer in choose.slow_tests()}
+        lines = (ROOT / "scripts/hardening/planted.tsv").read_text(encoding="utf-8").splitlines()
+        faults = [line.split("\t") for line in lines if not line.startswith("#")]
+        self.assertEqual(len(faults), 30)
+        for number, _, path, _, _, test in faults:
+            choice = choose.Choice({choose.concern_of(path)}, self.needs)
+            self.assertTrue(test not in slow or choice.reason(test, slow[test]), number)
+
     def test_an_unknown_revision_is_no_revision(self):
         self.assertIsNone(choose.changed_since("nowhere"))
         self.assertIsNone(choose.changed_since(""))
