@@ -272,14 +272,14 @@ TEST(Contacts, NarrowGapsCount) {
   });
 }
 
-// Only the edge from the last corner to the first parts the triangles.
+// Only their edges from the last corner to the first part the triangles.
 TEST(Contacts, TrianglesBesideEachOtherAreNone) {
   for (const bool overlap : {false, true}) {
-    const double tip = overlap ? 0.2 : -0.1;
+    const double tip = overlap ? 0.45 : 0.55;
     test::BareScene bare;
     const MaterialId pane = bare.material(make_thin_dielectric(1.5, 0, 0));
-    bare.triangle(pane, {Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}});
-    bare.triangle(pane, {Vec3{-5, -5, 1}, Vec3{tip, 0.3, 1}, Vec3{-5, 5, 1}});
+    bare.triangle(pane, {Vec3{1, 0, 1}, Vec3{0, 0, 1}, Vec3{0, 1, 1}});
+    bare.triangle(pane, {Vec3{-1, 4, 1}, Vec3{tip, tip, 1}, Vec3{4, -0.5, 1}});
     const Contacts contacts(bare.scene, {1e-5, 1e-6});
     EXPECT_EQ(contacts.are_partners(0, 1), overlap);
   }
