@@ -82,7 +82,7 @@ testAxe("light", { ...inThesis, prepare: withPlan, smoke: "dark" }, async (tab, 
   const { page } = tab;
   await page.click("#tab-light");
   await tab.computes(({ planner }) => planner.light.isPreview);
-  says(await tab.text("#panel-light"), "Hollow marks");
+  await tab.until(() => document.querySelector("#panel-light").textContent.includes("Hollow marks"));
   await clean("direct light, or a preview");
   await tab.lit();
   await tab.until(() => document.querySelector(".margins") !== null);

@@ -64,6 +64,11 @@ export class Tab extends Page {
     );
   }
 
+  /** Until the 3-D view has its scene, and has placed its camera. */
+  hasSpace() {
+    return this.reaches(({ page: { stage } }) => stage.scenery.part.look.length > 0 && stage.drawCalls > 4);
+  }
+
   /** Until the light is simulated. */
   lit() {
     return this.computes(({ planner }) => planner.light.event?.phase === "done");
