@@ -10,6 +10,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   # GCC 12 falsely reports overlapping copies in std::string's operator+ (GCC bug 105651).
   target_compile_options(shelfbeam_options INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  target_compile_options(shelfbeam_options INTERFACE -Wno-overlength-strings) # embedded files are long literals
+endif()
 if(SHELFBEAM_SANITIZE)
   target_compile_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE})

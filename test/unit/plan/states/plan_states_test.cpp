@@ -78,7 +78,7 @@ TEST(PlanStatesSlow, NamesTheChangesThatTakeLabels) {
 }
 
 // The row of a cause is the plan for a shop from which all other causes are left out.
-TEST(PlanStatesSlow, RowsAreThePlansWithoutTheOtherChanges) {
+TEST(PlanStates, RowsAreThePlansWithoutTheOtherChanges) {
   const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0.06, 0}}};
   const StatesOptions options{.sample = 20, .certifies = false};
   const Availability both = KnownStates(pallets, R"("unit_power_db": 0.1,)").plan(1, options).availability;
