@@ -35,9 +35,6 @@ function(shelfbeam_compile_fast target)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # GCC takes the sources of a unit for headers, which should not use unnamed namespaces.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
-  elseif(CMAKE_UNITY_BUILD)
-    # Clang also warns if a local name hides a name of another source.
-    target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
   set(group 0)
   set(unit_size 0)
