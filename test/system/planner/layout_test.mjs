@@ -4,14 +4,16 @@ import { check, equal } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
 
 /** Another layout writes `key` with a key. */
-const types = (tab, key, code, held = {}) =>
-  tab.evaluate(
+async function types(tab, key, code, held = {}) {
+  await tab.evaluate(
     (name, place, more) =>
       document.activeElement.dispatchEvent(
         new KeyboardEvent("keydown", { key: name, code: place, bubbles: true, cancelable: true, ...more }),
       ),
     ...[key, code, held],
   );
+  await tab.settle();
+}
 
 testPlanner("layouts: keys without Latin letters are meant by their place", { smoke: true }, async (tab) => {
   await tab.page.focus(".surface");
