@@ -37,7 +37,7 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
   const auto warnings = [](double z, double label_x) {
     Json store = sample_store();
     store["label_types"]["large"]["size"] = {0.4, 0.2};
-    store["labels"] = {label("W", {label_x, 0.5, 1}, {0, 1, 0})};
+    store["labels"] = Json::array({label("W", {label_x, 0.5, 1}, {0, 1, 0})});
     store["transceiver_types"]["wide"] = {{"emission", {{"type", "isotropic"}, {"intensity", 1}}},
                                           {"radius", 0.3}};
     store["transceivers"]["list"].push_back(
@@ -145,7 +145,7 @@ TEST(Misplaced, BodiesInsideFixtures) {
                             const std::vector<double>& unit) {
     Json changed = store;
     changed["fixtures"][1].erase("labels");
-    changed["labels"] = {label("W", position, normal)};
+    changed["labels"] = Json::array({label("W", position, normal)});
     changed["transceivers"]["list"] = {{{"id", "U"}, {"position", unit}, {"type", "wide"}}};
     changed["transceivers"].erase("installed");
     return warnings_of(changed);
