@@ -55,8 +55,7 @@ TEST(NpyTable, HeadersAreAnyPythonDictionary) {
                               R"({"descr": "<f4", "fortran_order": False, "shape": (2, 3)})",
                               "{u'descr': u'<f4', u'fortran_order': False, u'shape': (2L, 3L), }  \n",
                               "{'descr':'<f4','fortran_order':False,'shape':[2,3,]}",
-                              "  {\n'descr' : '<f4' ,\n'fortran_order' : False ,\n"
-                              "'shape' : ( 2 , 3 )\n}\n",
+                              "  {\n'descr' : '<f4' ,\n'fortran_order' : False ,\n'shape' : ( 2 , 3 )\n}\n",
                               "{'descr': '=f4', 'fortran_order': False, 'shape': (2, 3), }\n",
                               "{'descr': 'float32', 'fortran_order': False, 'shape': (2, 3), }\n"})
     expect_two_by_three(read(npy(dialect, data)));
