@@ -80,7 +80,7 @@ def output(*arguments, **options):
 
 
 def sanitizers():
-    """Those of the build, such as "address,undefined"."""
+    """The sanitizers of the build, such as "address,undefined"."""
     cache = BUILD / "CMakeCache.txt"
     found = cache.exists() and re.search(r"^SHELFBEAM_SANITIZE:\w+=(.*)", cache.read_text(encoding="utf-8"), re.M)
     return found[1] if found else ""
@@ -105,9 +105,12 @@ class Process:
         file = self.files[number - 1].fileno()
         return as_text(os.pread(file, os.fstat(file).st_size, 0))
 
-    def wait_until(self, condition):
+    def wait_until(self, condition, seconds=600):
         """Waits until the condition holds or the program has ended; returns whether it still runs."""
+        late = time.monotonic() + seconds
         while self.process.poll() is None and not condition():
+            if time.monotonic() > late:
+                raise TimeoutError(f"after {seconds} s, the event has not come: {self.printed(1)}{self.printed(2)}")
             time.sleep(0.002)
         return self.process.poll() is None
 
@@ -136,7 +139,7 @@ class Process:
         return self.wait_until(has_worked)
 
     def end(self, number=signal.SIGINT):
-        """Its end after a signal."""
+        """Sends a signal, and returns the end of the run."""
         if number != signal.SIGKILL and "thread" in sanitizers():
             # It delays signals until a system call, of which loops of arithmetic make none.
             raise unittest.SkipTest("the thread sanitizer delays signals for hours")

@@ -7,6 +7,7 @@ import { pixelIn, shopDxf } from "../../data/shop_dxf.mjs";
 import { check, equal, says } from "../viewer/check.mjs";
 import { colourAt, drop, pixelAt, shown } from "./floor_plan.mjs";
 import { inEmptyShop, testPlanner } from "./opened.mjs";
+import { poll } from "./poll.mjs";
 import { farthest, linesOf, traceRoom } from "./traced_shop.mjs";
 import { Tracer } from "./tracer.mjs";
 
@@ -95,10 +96,18 @@ testPlanner("dxf: layers are switched one by one, and attract only while they ar
   await take(tab, "shop.dxf", shopDxf());
   const pixel = pixelIn(tab.json.drawing);
   const red = async () => {
-    await new Promise((done) => setTimeout(done, 600)); // until it is drawn in detail
     const [x, y] = await pixelAt(tab, ...pixel([4.8, 5]));
     const found = await Promise.all([-1, 0, 1].map((dx) => colourAt(tab, [x + dx, y])));
     return found.some(([r, g]) => r > 200 && g < 180);
+  };
+  /** Until the column is red, or is not, in the detailed drawing. */
+  const turns = async (isRed) => {
+    await tab.reaches(({ planner }) => planner.picture.state.page?.detail.now);
+    await poll(
+      red,
+      (is) => is === isRed,
+      () => `the column turns ${isRed ? "" : "not "}red`,
+    );
   };
   const snapped = async () => {
     await tab.press("m");
@@ -109,12 +118,14 @@ testPlanner("dxf: layers are switched one by one, and attract only while they ar
     await tab.press("Escape");
     return kind;
   };
-  equal([await red(), await snapped()], [true, "end"]);
+  await turns(true);
+  equal(await snapped(), "end");
   await tab.use("picture/layer/COLUMNS");
-  equal([await red(), await snapped()], [false, null]);
+  await turns(false);
+  equal(await snapped(), null);
   await tab.reload();
   await shown(tab);
-  check(!(await red()), "the browser remembers the layers");
+  await turns(false); // the browser remembers the layers
 });
 
 testPlanner("dxf: wrong units are doubted, and files are refused by name", inEmptyShop, async (tab) => {

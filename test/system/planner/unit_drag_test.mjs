@@ -102,7 +102,7 @@ testPlanner("units: a drag in 3-D", { store: "market-hall" }, async (tab) => {
   const drag = async (from, to, during) => tab.dragPixels(await onScreen(from), await onScreen(to), { during });
   const view = () => tab.state(({ page }) => JSON.stringify(page.stage.cameraPlace()));
   const position = () => tab.json.transceivers.list.at(-1).position;
-  await new Promise((done) => setTimeout(done, 800)); // the picture of the shop
+  await tab.hasSpace();
   const before = await view();
   await tab.page.mouse.click(...(await onScreen(ceiling.at)));
   const [x, y, z] = ceiling.at;

@@ -31,7 +31,7 @@ class Small(ProgramTest):
         return {key: value for key, value in answer.items() if key not in ("steps", "seconds")}
 
     def test_prints_the_documented_sentences(self):
-        """Those of test/data/messages.txt, in their lines."""
+        """The blocks of test/data/messages.txt, by line."""
         reach = "2 transceivers reach all 6 labels (cooperative)"
         best = f"{reach}; it is proven that 1 is not enough.\n"
         for line, *parts in (

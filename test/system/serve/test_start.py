@@ -20,7 +20,7 @@ NOBODY = 65534
 
 
 def own_addresses():
-    """Those of IPv4 for other computers, as the system lists them."""
+    """The IPv4 addresses for other computers, as the system lists them."""
     return {address for address in output("-I", program="hostname").split() if ":" not in address}
 
 
