@@ -83,7 +83,7 @@ function entriesAre(shown, { labels, mean, error, direct }, rounding) {
   equal(entries, mean.values.filter((signal) => signal > 0).length, "entries");
 }
 
-for (const name of ["grocery", "alone", "spare", "spare-alone", "options"])
+for (const name of ["grocery", "spare-alone", "options"])
   testReport(`numbers of ${name} are those of the files`, { of: name }, async (page, plan) => {
     equal(await reached(page), plan.labels.length, "reached labels");
     coverageIs(await coverageOf(page), plan);

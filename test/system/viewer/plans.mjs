@@ -35,8 +35,6 @@ export function makePlans(shelfbeam, work) {
   const [thesis, chiller] = ["thesis", "chiller"].map((name) => makeStore(shelfbeam, work, name));
   const options = {
     grocery: [confirmed(makeStore(shelfbeam, work, "grocery"))],
-    alone: [thesis, "--model", "non-cooperative"],
-    spare: [thesis, "--survive-failure"],
     "spare-alone": [thesis, "--model", "non-cooperative", "--survive-failure"],
     options: [chiller],
   };
