@@ -4,6 +4,7 @@ import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
 
+import { newContext } from "../viewer/browser.mjs";
 import { Served } from "./served.mjs";
 import { Tab } from "./tab.mjs";
 
@@ -26,12 +27,8 @@ export class Workshop {
     return server;
   }
 
-  async tab(server, { width = 1280, height = 720, dark = false, ...options } = {}) {
-    const context = await this.tools.browser.newContext({
-      viewport: { width, height },
-      colorScheme: dark ? "dark" : "light",
-      ...options,
-    });
+  async tab(server, options) {
+    const context = await newContext(this.tools.browser, options);
     this.#contexts.push(context);
     const tab = new Tab(await context.newPage(), server, this.tools.pictures);
     await tab.open();

@@ -30,3 +30,15 @@ export async function startBrowser(packages, kind = "chromium") {
   args.push("--disable-gpu-rasterization", "--disable-gpu-compositing");
   return chromium.launch({ executablePath, args });
 }
+
+/** A context of its own for one page or more. `options`: those of Playwright. */
+export async function newContext(browser, { width = 1280, height = 720, dark = false, ...options } = {}) {
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: dark ? "dark" : "light",
+    ...options,
+  });
+  // Two cores without a graphics card need more than Playwright's 30 s for a picture of a large shop.
+  context.setDefaultTimeout(180_000);
+  return context;
+}

@@ -3,6 +3,7 @@
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { newContext } from "./browser.mjs";
 import { test } from "./check.mjs";
 import { Page } from "./page.mjs";
 
@@ -46,12 +47,8 @@ export const reportsIn = (browser, pictures) => {
      * Opens the report of a plan, with a hash the view of that link, and waits until the 3-D view is `ready`. `script`
      * runs before those of the page.
      */
-    async open(plan, { hash = "", width = 1000, height = 600, dark = false, ready = true, script, ...options } = {}) {
-      const context = await browser.newContext({
-        viewport: { width, height },
-        colorScheme: dark ? "dark" : "light",
-        ...options,
-      });
+    async open(plan, { hash = "", width = 1000, height = 600, ready = true, script, ...options } = {}) {
+      const context = await newContext(browser, { width, height, ...options });
       contexts.push(context);
       if (script) await context.addInitScript(script);
       const report = new Report(await context.newPage());
