@@ -26,7 +26,8 @@ testPlanner("light: labels are recoloured, faded and hatched in time", { ...inTh
   const legend = () => tab.text("#panel-light");
   says(await legend(), "preview");
   await tab.lit();
-  says(await legend(), "Simulated");
+  // The panel is drawn a few times per second.
+  await tab.until(() => document.querySelector("#panel-light").textContent.includes("Simulated"));
   check(!(await legend()).includes("preview"), "simulated values are not marked as previews");
   await tab.picture("light-done");
 

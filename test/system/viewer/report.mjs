@@ -58,13 +58,7 @@ export const reportsIn = (browser, pictures) => {
     },
 
     /** Saves a picture of the 3-D view and its controls. */
-    async picture({ page }, name) {
-      const clip = await page.evaluate(() => {
-        const { y, height } = document.querySelector("#viewer").getBoundingClientRect();
-        return { x: 0, y: y + scrollY, width: innerWidth, height };
-      });
-      await page.screenshot({ path: join(pictures, `${name}.png`), clip, fullPage: true });
-    },
+    picture: ({ page }, name) => page.locator("#viewer").screenshot({ path: join(pictures, `${name}.png`) }),
 
     close: () => Promise.all(contexts.map((context) => context.close())),
   };
