@@ -43,12 +43,20 @@ def descendants(root):
     return found
 
 
+def handles_interrupts(status):
+    """Whether a process catches SIGINT, from its /proc/PID/status."""
+    [caught] = [int(line.split()[1], 16) for line in status.splitlines() if line.startswith("SigCgt:")]
+    return bool(caught >> (signal.SIGINT - 1) & 1)
+
+
 def arguments_of_processes():
-    """All pairs of neighbouring arguments of all processes."""
+    """All pairs of neighbouring arguments of all processes that handle interrupts."""
     pairs = []
-    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+    for path in pathlib.Path("/proc").glob("[0-9]*"):
         try:
-            words = path.read_bytes().decode(errors="replace").split("\0")
+            words = (path / "cmdline").read_bytes().decode(errors="replace").split("\0")
+            if not handles_interrupts((path / "status").read_text()):
+                continue
         except OSError:  # it has ended
             continue
         pairs += [list(pair) for pair in zip(words, words[1:])]
